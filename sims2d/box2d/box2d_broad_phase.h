@@ -152,15 +152,17 @@ class Box2dBroadPhase {
     def.kind = kind_of(member.type);
     const std::int32_t count = fixture.GetShape()->GetChildCount();
     member.children.reserve(static_cast<std::size_t>(count));
+    std::vector<ObjectId> objects;
     for (std::int32_t child = 0; child < count; ++child) {
       make_room_for_next(world_, children_);
       const Box<2> box = box_of(fixture, child, member);
       const Handle handle = insert_or_throw(world_, box, def);
       member.children.push_back(handle);
+      objects.push_back({handle.index()});
       children_[handle.index()] = {&fixture, fixture.GetBody(), child, box};
       index_->note({handle.index()});
     }
-    contacts_.adopt(fixture, member.children);
+    contacts_.adopt(fixture, objects);
   }
   void set_type(Member& member, b2BodyType type) {
     member.type = type;

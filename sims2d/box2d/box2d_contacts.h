@@ -45,15 +45,11 @@ class Box2dContacts {
   /// that was destroyed, and those of a body that was enabled.
   [[nodiscard]] static bool is_new(const b2Fixture& fixture) { return Access::count(fixture) > 0; }
 
-  /// Takes a new fixture out of Box2D's tree. `children` has the ObjectId or the Handle of each child.
-  template <class Children>
-  void adopt(b2Fixture& fixture, const Children& children) {
-    std::vector<ObjectId>& objects = objects_[&fixture];
-    objects.clear();
-    for (const auto& child : children) {
-      objects.push_back({child.index()});
-      if (proxies_.size() <= child.index()) proxies_.resize(child.index() + std::size_t{1});
-    }
+  /// Takes a new fixture out of Box2D's tree. `children` has the object of each child.
+  void adopt(b2Fixture& fixture, std::span<const ObjectId> children) {
+    objects_[&fixture].assign(children.begin(), children.end());
+    for (const ObjectId child : children)
+      if (proxies_.size() <= child.index()) proxies_.resize(child.index() + 1);
     for (std::size_t child = 0; child < children.size(); ++child) {  // memory cannot end any more
       b2FixtureProxy& proxy = Access::proxies(fixture)[child];
       manager_.m_broadPhase.DestroyProxy(proxy.proxyId);
