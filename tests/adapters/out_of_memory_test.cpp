@@ -32,17 +32,22 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
+// GCC takes an inlined free for a mismatch.
+#define KERF_OUT_OF_LINE __attribute__((noinline))
 void* operator new(std::size_t size) { return allocate(size == 0 ? 1 : size, 16); }
 void* operator new[](std::size_t size) { return allocate(size == 0 ? 1 : size, 16); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size == 0 ? 1 : size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete(void* memory) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete[](void* memory) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+KERF_OUT_OF_LINE void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+#undef KERF_OUT_OF_LINE
 
 namespace kerf {
 namespace {
