@@ -176,15 +176,12 @@ class Box2dBroadPhase {
     member.children.clear();
   }
   void drop_gone() {
-    for (auto entry = members_.begin(); entry != members_.end();) {
-      if (entry->second.round == round_) {
-        ++entry;
-        continue;
-      }
-      drop(entry->second);
-      contacts_.forget(*entry->first);
-      entry = members_.erase(entry);
-    }
+    std::erase_if(members_, [this](auto& entry) {
+      if (entry.second.round == round_) return false;
+      drop(entry.second);
+      contacts_.forget(*entry.first);
+      return true;
+    });
   }
 
   b2World& engine_;
