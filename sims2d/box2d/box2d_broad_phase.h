@@ -176,12 +176,13 @@ class Box2dBroadPhase {
     member.children.clear();
   }
   void drop_gone() {
-    std::erase_if(members_, [this](auto& entry) {
-      if (entry.second.round == round_) return false;
-      drop(entry.second);
-      contacts_.forget(*entry.first);
-      return true;
-    });
+    for (auto entry = members_.begin(); entry != members_.end();) {
+      const auto here = entry++;
+      if (here->second.round == round_) continue;
+      drop(here->second);
+      contacts_.forget(*here->first);
+      members_.erase(here);
+    }
   }
 
   b2World& engine_;
