@@ -99,6 +99,7 @@ void write_sqlite(const StudyTable& table, const std::filesystem::path& file) {
     }
   }
   database.execute("COMMIT");
+  database.keep();
   database.close();
 }
 

@@ -132,7 +132,8 @@ TEST_P(SceneList, RefusesAnAbsurdNumberOfObjects) {
     make(broad_phase, {.objects = kMaxObjects2d + 1});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("at most 100000 objects, not 100001"));
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("100001 objects are too many: at most 100000 are possible"));
   }
 }
 
