@@ -130,8 +130,8 @@ key Escape
 click object:40
 expect selection == "object 40"
 wait 40
-click object:80 shift
-expect selection == "pair 40,80"
+click object:113 shift
+expect selection == "pair 40,113"
 key Escape
 wait 40
 drag object:40 view@0.5,0.5
