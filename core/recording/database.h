@@ -100,6 +100,7 @@ class Database {
   /// An existing file whose writer was killed, to be ended in order by `close`.
   static Database open_to_end(const std::filesystem::path& path);
 
+  /// A new file stays when this object goes.
   void keep() { files_->keep(); }
   /// Throws std::runtime_error if a file without a log is shorter or longer than its pages. `path`: its own.
   void check_size(const std::filesystem::path& path) const;

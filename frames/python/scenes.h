@@ -21,9 +21,9 @@ struct SceneRun {
 /// Name, dimension and summary of each scene: a list of tuples.
 pybind11::list scene_list();
 
-/// Runs a scene with the tree and records it. Throws ValueError for a name that is none and
-/// for growth of a scene that does not grow, RecordingError if the file cannot be written; an earlier file is
-/// replaced only if `overwrite`.
+/// Runs a scene with the tree and records it. Throws ValueError for a name that is none and for growth of a
+/// scene that does not grow, RecordingError if the file cannot be written; an earlier file is replaced only
+/// if `overwrite`.
 void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out,
                   bool overwrite);
 
