@@ -42,6 +42,7 @@ py::array picture_of(const py::array& boxes, const py::handle& given, const Pict
   input.caption.is_run = false;
   input.caption.objects = objects.size();
   input.caption.pairs = pairs.size();
+  input.caption.knows_pairs = !given.is_none();
   input.caption.knows_contacts = false;
   return draw(input, options);
 }

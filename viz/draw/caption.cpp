@@ -52,7 +52,7 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
     items.push_back({"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name});
   items.push_back({"objects", number(caption.objects, 5)});
   if (caption.is_run) items.push_back({"moving", number(caption.moving, 5)});
-  items.push_back({"pairs", number(caption.pairs, 5)});
+  if (caption.knows_pairs) items.push_back({"pairs", number(caption.pairs, 5)});
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
   if (outside) items.push_back({"outside", number(*outside, 5)});
   if (!has_tree) return items;

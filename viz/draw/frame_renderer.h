@@ -33,6 +33,7 @@ struct Caption {
   std::string step_name{};  ///< what an import calls the step; empty: its number
   std::string note{};       ///< free text, one line, may be empty
   bool knows_contacts = true;
+  bool knows_pairs = true;
   bool is_run = true;  ///< false: boxes as such, which have no step and do not move
 };
 

@@ -116,6 +116,7 @@ void write(RawWriter& out, const Caption& caption) {
   out.put(caption.contacts);
   out.put(caption.statistics);
   out.put(caption.knows_contacts);
+  out.put(caption.knows_pairs);
   out.put(caption.is_run);
 }
 
@@ -132,6 +133,7 @@ Caption read_caption(RawReader& in) {
   caption.contacts = in.get<std::uint64_t>();
   caption.statistics = in.get<Statistics>();
   caption.knows_contacts = in.get<bool>();
+  caption.knows_pairs = in.get<bool>();
   caption.is_run = in.get<bool>();
   return caption;
 }

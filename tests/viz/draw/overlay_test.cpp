@@ -79,9 +79,14 @@ TEST(Caption, OfBoxesAsSuchHasNoEmptyWordAndNoStep) {
   boxes.scene = "boxes of an array";
   boxes.objects = 5;
   boxes.is_run = boxes.knows_contacts = false;
-  std::vector<std::string> words;
-  for (const CaptionItem& item : caption_items(boxes, false)) words.push_back(item.word);
-  EXPECT_EQ(words, (std::vector<std::string>{"scene", "objects", "pairs"}));
+  const auto words = [&] {
+    std::vector<std::string> list;
+    for (const CaptionItem& item : caption_items(boxes, false)) list.push_back(item.word);
+    return list;
+  };
+  EXPECT_EQ(words(), (std::vector<std::string>{"scene", "objects", "pairs"}));
+  boxes.knows_pairs = false;  // boxes without pairs are not known to have none
+  EXPECT_EQ(words(), (std::vector<std::string>{"scene", "objects"}));
 }
 
 TEST(Caption, NamesWhatLiesOutsideOnlyIfAsked) {
