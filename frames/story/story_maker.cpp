@@ -13,25 +13,11 @@
 namespace kerf {
 namespace {
 
-StoryInsert unpack_story(RawReader& in) {
-  StoryInsert insert;
-  insert.title = in.get_text();
-  insert.figures = in.get_text();
-  insert.sentence = in.get_text();
-  insert.acting = in.get<std::optional<NodeId>>();
-  insert.moment = in.get<std::optional<StoryMoment>>();
-  insert.progress = in.get<double>();
-  insert.turn = in.get<double>();
-  insert.step = in.get<std::uint32_t>();
-  for (std::string& end : insert.ends) end = in.get_text();
-  insert.levels = in.get<std::uint32_t>();
-  insert.curves.resize(in.get<std::size_t>());
-  for (StoryCurve& curve : insert.curves) {
-    curve.name = in.get_text();
-    curve.color = in.get<Color>();
-    curve.values = in.get_list<float>();
-  }
-  return insert;
+/// Takes a RawWriter and what it writes, or a RawReader and what it reads.
+void insert_fields(auto& bytes, auto& of) {
+  bytes(of.title, of.figures, of.sentence, of.acting, of.moment, of.progress, of.turn, of.step, of.levels);
+  for (auto& end : of.ends) bytes(end);
+  bytes.each(of.curves, [&](auto& curve) { bytes(curve.name, curve.color, curve.values); });
 }
 
 FrameOptions story_options(const RenderRequest& request) {
@@ -56,8 +42,9 @@ class StoryMaker final : public FrameMaker {
   Made make(const std::string& /*file*/, std::span<const std::uint8_t> parcel,
             std::optional<std::uint64_t> /*kept*/) override {
     RawReader in(parcel);
-    const StoryInsert insert = unpack_story(in);
-    FrameParcel<D> frame = unpack<D>(in.get_list<std::uint8_t>());
+    StoryInsert insert;
+    insert_fields(in, insert);
+    FrameParcel<D> frame = unpack<D>(in.get<std::vector<std::uint8_t>>());
     if (insert.moment) slide_plane(frame.plan, *insert.moment, insert.progress);
     if constexpr (D == 3) {
       CameraChoice<3> turned = camera_;
@@ -91,23 +78,8 @@ class StoryMaker final : public FrameMaker {
 
 std::vector<std::uint8_t> pack_story(const StoryInsert& insert, const std::vector<std::uint8_t>& frame) {
   RawWriter out;
-  out.put_text(insert.title);
-  out.put_text(insert.figures);
-  out.put_text(insert.sentence);
-  out.put(insert.acting);
-  out.put(insert.moment);
-  out.put(insert.progress);
-  out.put(insert.turn);
-  out.put(insert.step);
-  for (const std::string& end : insert.ends) out.put_text(end);
-  out.put(insert.levels);
-  out.put(insert.curves.size());
-  for (const StoryCurve& curve : insert.curves) {
-    out.put_text(curve.name);
-    out.put(curve.color);
-    out.put_list(std::span<const float>(curve.values));
-  }
-  out.put_list(std::span<const std::uint8_t>(frame));
+  insert_fields(out, insert);
+  out(frame);
   return out.take();
 }
 

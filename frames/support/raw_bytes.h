@@ -2,33 +2,54 @@
 
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 namespace kerf {
 
-/// Appends values as they lie in memory, for another process of the same program.
+/// Appends values as they lie in memory, for another process of the same program. What is written and read is
+/// named once, by a function that gives its fields to either: `fields(bytes, caption)`.
 class RawWriter {
  public:
+  template <class... T>
+  void operator()(const T&... values) {
+    (put(values), ...);
+  }
+  /// Calls `with(value)` for each value of a list.
+  template <class T>
+  void each(const std::vector<T>& list, auto with) {
+    put(list.size());
+    for (const T& value : list) with(value);
+  }
+  /// The same for a value that may be missing.
+  template <class T>
+  void maybe(const std::optional<T>& value, auto with) {
+    put(value.has_value());
+    if (value) with(*value);
+  }
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+
+ private:
   template <class T>
   void put(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
     append(&value, sizeof value);
   }
   template <class T>
-  void put_list(std::span<const T> values) {
+  void put(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
     put(values.size());
     append(values.data(), values.size_bytes());
   }
-  void put_text(std::string_view text) { put_list(std::span(text.data(), text.size())); }
-  std::vector<std::uint8_t> take() { return std::move(bytes_); }
-
- private:
+  template <class T>
+  void put(const std::vector<T>& values) {
+    put(std::span<const T>(values));
+  }
+  void put(const std::string& text) { put(std::span<const char>(text)); }
   void append(const void* data, std::size_t size) {
     if (size == 0) return;
     const std::size_t at = bytes_.size();
@@ -44,27 +65,43 @@ class RawReader {
  public:
   explicit RawReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
 
+  template <class... T>
+  void operator()(T&... values) {
+    (get(values), ...);
+  }
+  template <class T>
+  void each(std::vector<T>& list, auto with) {
+    list.resize(get<std::size_t>());
+    for (T& value : list) with(value);
+  }
+  template <class T>
+  void maybe(std::optional<T>& value, auto with) {
+    if (get<bool>()) with(value.emplace());
+  }
   template <class T>
   T get() {
-    static_assert(std::is_trivially_copyable_v<T>);
-    T value;
-    copy(&value, sizeof value);
+    T value{};
+    get(value);
     return value;
-  }
-  template <class T>
-  std::vector<T> get_list() {
-    const auto size = get<std::size_t>();
-    if (size > rest_.size() / sizeof(T)) throw std::runtime_error("a frame's data ends too soon");
-    std::vector<T> values(size);
-    copy(values.data(), size * sizeof(T));
-    return values;
-  }
-  std::string get_text() {
-    const std::vector<char> text = get_list<char>();
-    return {text.begin(), text.end()};
   }
 
  private:
+  template <class T>
+  void get(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    copy(&value, sizeof value);
+  }
+  template <class T>
+  void get(std::vector<T>& values) {
+    const auto size = get<std::size_t>();
+    if (size > rest_.size() / sizeof(T)) throw std::runtime_error("a frame's data ends too soon");
+    values.resize(size);
+    copy(values.data(), size * sizeof(T));
+  }
+  void get(std::string& text) {
+    const auto letters = get<std::vector<char>>();
+    text.assign(letters.begin(), letters.end());
+  }
   void copy(void* to, std::size_t size) {
     if (size > rest_.size()) throw std::runtime_error("a frame's data ends too soon");
     if (size > 0) std::memcpy(to, rest_.data(), size);

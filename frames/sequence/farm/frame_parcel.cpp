@@ -52,13 +52,8 @@ class BodyPacker {
   }
 
   void write(RawWriter& out) const {
-    out.put_list(std::span<const FlatBody<D>>(bodies_));
-    out.put_list(std::span<const Vector<2>>(corners_));
-    out.put(surfaces_.size());
-    for (const Surface* surface : surfaces_) {
-      out.put_list(std::span<const Vector<3>>(surface->vertices));
-      out.put_list(std::span<const std::array<std::uint32_t, 3>>(surface->triangles));
-    }
+    out(bodies_, corners_);
+    out.each(surfaces_, [&](const Surface* surface) { out(surface->vertices, surface->triangles); });
   }
 
  private:
@@ -89,14 +84,14 @@ Shape<D> shape_of(const FlatBody<D>& flat, const std::vector<Vector<2>>& corners
 
 template <int D>
 std::vector<Body<D>> read_bodies(RawReader& in) {
-  const auto flats = in.get_list<FlatBody<D>>();
-  const auto corners = in.get_list<Vector<2>>();
-  std::vector<std::shared_ptr<const Surface>> surfaces(in.get<std::size_t>());
-  for (auto& surface : surfaces) {
-    Surface read{in.get_list<Vector<3>>(), {}};
-    read.triangles = in.get_list<std::array<std::uint32_t, 3>>();
+  const auto flats = in.get<std::vector<FlatBody<D>>>();
+  const auto corners = in.get<std::vector<Vector<2>>>();
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  in.each(surfaces, [&](std::shared_ptr<const Surface>& surface) {
+    Surface read;
+    in(read.vertices, read.triangles);
     surface = std::make_shared<const Surface>(std::move(read));
-  }
+  });
   std::vector<Body<D>> bodies;
   bodies.reserve(flats.size());
   for (const FlatBody<D>& flat : flats)
@@ -104,116 +99,31 @@ std::vector<Body<D>> read_bodies(RawReader& in) {
   return bodies;
 }
 
-void write(RawWriter& out, const Caption& caption) {
-  out.put_text(caption.scene);
-  out.put_text(caption.broad_phase);
-  out.put_text(caption.step_name);
-  out.put_text(caption.note);
-  out.put(caption.step);
-  out.put(caption.objects);
-  out.put(caption.moving);
-  out.put(caption.pairs);
-  out.put(caption.contacts);
-  out.put(caption.statistics);
-  out.put(caption.knows_contacts);
-  out.put(caption.knows_pairs);
-  out.put(caption.is_run);
+// Each takes a RawWriter and what it writes, or a RawReader and what it reads.
+
+void caption_fields(auto& bytes, auto& of) {
+  bytes(of.scene, of.broad_phase, of.step_name, of.note, of.step, of.objects, of.moving, of.pairs,
+        of.contacts, of.statistics, of.knows_contacts, of.knows_pairs, of.is_run);
 }
 
-Caption read_caption(RawReader& in) {
-  Caption caption;
-  caption.scene = in.get_text();
-  caption.broad_phase = in.get_text();
-  caption.step_name = in.get_text();
-  caption.note = in.get_text();
-  caption.step = in.get<std::uint32_t>();
-  caption.objects = in.get<std::uint32_t>();
-  caption.moving = in.get<std::uint32_t>();
-  caption.pairs = in.get<std::uint64_t>();
-  caption.contacts = in.get<std::uint64_t>();
-  caption.statistics = in.get<Statistics>();
-  caption.knows_contacts = in.get<bool>();
-  caption.knows_pairs = in.get<bool>();
-  caption.is_run = in.get<bool>();
-  return caption;
+void point_fields(auto& bytes, auto& p) { bytes(p.x(), p.y(), p.z()); }
+
+void polygon_fields(auto& bytes, auto& polygon) {
+  bytes.each(polygon, [&](auto& p) { point_fields(bytes, p); });
 }
 
-void write(RawWriter& out, const Polygon& polygon) {
-  out.put(polygon.size());
-  for (const Eigen::Vector3d& p : polygon) out.put(std::array{p.x(), p.y(), p.z()});
+void highlight_fields(auto& bytes, auto& of) {
+  bytes(of.event, of.acted, of.age, of.lifetime);
+  bytes.each(of.faces, [&](auto& face) { polygon_fields(bytes, face); });
+  polygon_fields(bytes, of.partitioner);
+  polygon_fields(bytes, of.old_partitioner);
+  bytes.maybe(of.anchor, [&](auto& p) { point_fields(bytes, p); });
 }
 
-Polygon read_polygon(RawReader& in) {
-  Polygon polygon(in.get<std::size_t>());
-  for (Eigen::Vector3d& p : polygon) {
-    const auto xyz = in.get<std::array<double, 3>>();
-    p = {xyz[0], xyz[1], xyz[2]};
-  }
-  return polygon;
-}
-
-void write(RawWriter& out, const Highlight& highlight) {
-  out.put(highlight.event);
-  out.put(highlight.acted);
-  out.put(highlight.age);
-  out.put(highlight.lifetime);
-  out.put(highlight.faces.size());
-  for (const Polygon& face : highlight.faces) write(out, face);
-  write(out, highlight.partitioner);
-  write(out, highlight.old_partitioner);
-  write(out, highlight.anchor ? Polygon{*highlight.anchor} : Polygon());
-}
-
-Highlight read_highlight(RawReader& in) {
-  Highlight highlight;
-  highlight.event = in.get<std::uint64_t>();
-  highlight.acted = in.get<OperatorActed>();
-  highlight.age = in.get<std::uint32_t>();
-  highlight.lifetime = in.get<std::uint32_t>();
-  highlight.faces.resize(in.get<std::size_t>());
-  for (Polygon& face : highlight.faces) face = read_polygon(in);
-  highlight.partitioner = read_polygon(in);
-  highlight.old_partitioner = read_polygon(in);
-  for (const Eigen::Vector3d& p : read_polygon(in)) highlight.anchor = p;
-  return highlight;
-}
-
-template <int D>
-void write(RawWriter& out, const FramePlan<D>& plan) {
-  out.put(plan.bounds);
-  out.put(plan.outside);
-  out.put(plan.names_outside);
-  out.put(plan.has_tree);
-  out.put(plan.snapshot.root());
-  out.put_list(plan.snapshot.nodes());
-  out.put_list(plan.snapshot.planes());
-  out.put_list(std::span<const Placement>(plan.placements));
-  out.put_list(std::span<const Box<D>>(plan.crowds));
-  out.put(plan.highlights.size());
-  for (const Highlight& highlight : plan.highlights) write(out, highlight);
-  out.put(plan.largest_population);
-  out.put(plan.ramp_is_fixed);
-  out.put(plan.samples);
-}
-
-template <int D>
-FramePlan<D> read_plan(RawReader& in) {
-  FramePlan<D> plan;
-  plan.bounds = in.get<Box<D>>();
-  plan.outside = in.get<std::uint32_t>();
-  plan.names_outside = in.get<bool>();
-  plan.has_tree = in.get<bool>();
-  const auto root = in.get<NodeId>();
-  auto nodes = in.get_list<TreeSnapshot::Node>();
-  plan.snapshot.assign(root, std::move(nodes), in.get_list<Plane<D>>());
-  plan.placements = in.get_list<Placement>();
-  plan.crowds = in.get_list<Box<D>>();
-  plan.highlights.resize(in.get<std::size_t>());
-  for (Highlight& highlight : plan.highlights) highlight = read_highlight(in);
-  plan.largest_population = in.get<std::uint32_t>();
-  plan.ramp_is_fixed = in.get<bool>();
-  plan.samples = in.get<int>();
-  return plan;
+void plan_fields(auto& bytes, auto& of) {
+  bytes(of.bounds, of.outside, of.names_outside, of.has_tree, of.placements, of.crowds, of.largest_population,
+        of.ramp_is_fixed, of.samples);
+  bytes.each(of.highlights, [&](auto& highlight) { highlight_fields(bytes, highlight); });
 }
 
 }  // namespace
@@ -224,10 +134,9 @@ std::vector<std::uint8_t> pack(const FrameInput<D>& input, const FramePlan<D>& p
   BodyPacker<D> bodies;
   for (const Body<D>& body : input.bodies) bodies.add(body);
   bodies.write(out);
-  out.put_list(input.pairs);
-  out.put_list(input.contacts);
-  write(out, input.caption);
-  write(out, plan);
+  out(input.pairs, input.contacts, plan.snapshot.root(), plan.snapshot.nodes(), plan.snapshot.planes());
+  caption_fields(out, input.caption);
+  plan_fields(out, plan);
   return out.take();
 }
 
@@ -236,10 +145,12 @@ FrameParcel<D> unpack(std::span<const std::uint8_t> bytes) {
   RawReader in(bytes);
   FrameParcel<D> parcel;
   parcel.bodies = read_bodies<D>(in);
-  parcel.pairs = in.get_list<Pair>();
-  parcel.contacts = in.get_list<Pair>();
-  parcel.caption = read_caption(in);
-  parcel.plan = read_plan<D>(in);
+  in(parcel.pairs, parcel.contacts);
+  const auto root = in.get<NodeId>();
+  auto nodes = in.get<std::vector<TreeSnapshot::Node>>();
+  parcel.plan.snapshot.assign(root, std::move(nodes), in.get<std::vector<Plane<D>>>());
+  caption_fields(in, parcel.caption);
+  plan_fields(in, parcel.plan);
   return parcel;
 }
 
