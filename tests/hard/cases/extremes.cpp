@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/hard/cases/cases.h"
 #include "tests/hard/cases/crowd.h"
-#include "tests/hard/cases/scripts.h"
 #include "tests/support/boxes.h"
 
 namespace kerf::test {
@@ -34,8 +34,6 @@ Script<D> renewed(std::uint32_t n, std::uint32_t rounds, MakeBox box) {
   }
   return out.take();
 }
-
-}  // namespace
 
 template <int D>
 Script<D> denormals(Size size) {
@@ -178,16 +176,31 @@ Script<D> tiny_box_far_out(Size size) {
   return out.take();
 }
 
-#define KERF_INSTANTIATE(D)                   \
-  template Script<D> denormals<D>(Size);      \
-  template Script<D> touch_at_zero<D>(Size);  \
-  template Script<D> largest_floats<D>(Size); \
-  template Script<D> far_offsets<D>(Size);    \
-  template Script<D> exact_touch<D>(Size);    \
-  template Script<D> mixed_scales<D>(Size);   \
-  template Script<D> tiny_box_far_out<D>(Size);
-KERF_INSTANTIATE(2)
-KERF_INSTANTIATE(3)
-#undef KERF_INSTANTIATE
+constexpr std::array kCases{
+    HardCase{"V6", "Denormals", "coordinates below 2^-126", denormals<2>, denormals<3>},
+    HardCase{"V6",
+             "DenormalsFlushedToZero",
+             "the same, taken for zero",
+             denormals<2>,
+             denormals<3>,
+             {},
+             std::nullopt,
+             false,
+             true},
+    HardCase{"V6", "TouchAtZeroFlushedToZero", "couples meet at zero, so taken", touch_at_zero<2>,
+             touch_at_zero<3>,
+             "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=16,max_threshold=16,"
+             "free_directions=0,byte_sweep=1,stream_share=0.06,bulk_factor=2",
+             std::nullopt, false, true},
+    HardCase{"V7", "LargestFloats", "coordinates up to FLT_MAX", largest_floats<2>, largest_floats<3>},
+    HardCase{"V8", "FarOffsets", "scene offset by 1e5 to 1e7", far_offsets<2>, far_offsets<3>},
+    HardCase{"V9", "ExactTouch", "touch, and one ulp off", exact_touch<2>, exact_touch<3>},
+    HardCase{"V10", "MixedScales", "sizes 2^-40 to 2^40, ground", mixed_scales<2>, mixed_scales<3>},
+    HardCase{"V11", "TinyBoxFarOut", "one box at 1e3 to 1e30", tiny_box_far_out<2>, tiny_box_far_out<3>},
+};
+
+}  // namespace
+
+std::span<const HardCase> extremes_cases() { return kCases; }
 
 }  // namespace kerf::test

@@ -3,11 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include "tests/hard/cases/cases.h"
 #include "tests/hard/cases/crowd.h"
-#include "tests/hard/cases/scripts.h"
 #include "tests/support/boxes.h"
 
 namespace kerf::test {
+namespace {
 
 template <int D>
 Script<D> teleports(Size size) {
@@ -193,19 +194,31 @@ Script<D> resizing(Size size) {
   return out.take();
 }
 
-#define KERF_INSTANTIATE(D)                              \
-  template Script<D> teleports<D>(Size);                 \
-  template Script<D> moves_below_an_ulp<D>(Size);        \
-  template Script<D> last_box_counts<D>(Size);           \
-  template Script<D> removed_while_pending<D>(Size);     \
-  template Script<D> added_and_removed_at_once<D>(Size); \
-  template Script<D> changed_parameters<D>(Size);        \
-  template Script<D> fat_and_tight<D>(Size);             \
-  template Script<D> oscillation<D>(Size);               \
-  template Script<D> collapse_and_explosion<D>(Size);    \
-  template Script<D> resizing<D>(Size);
-KERF_INSTANTIATE(2)
-KERF_INSTANTIATE(3)
-#undef KERF_INSTANTIATE
+constexpr std::array kCases{
+    HardCase{"M1", "Teleports", "everything elsewhere at once", teleports<2>, teleports<3>},
+    HardCase{"M2", "MovesBelowAnUlp", "moves lost in rounding", moves_below_an_ulp<2>, moves_below_an_ulp<3>},
+    HardCase{"M3", "LastBoxCounts", "moved often in one step", last_box_counts<2>, last_box_counts<3>},
+    HardCase{"M4", "RemovedWhilePending", "removed before its update", removed_while_pending<2>,
+             removed_while_pending<3>},
+    HardCase{"M5", "AddedAndRemovedAtOnce", "double remove, reused id", added_and_removed_at_once<2>,
+             added_and_removed_at_once<3>},
+    HardCase{"M6",
+             "ChangedParameters",
+             "parameters change in mid-run",
+             changed_parameters<2>,
+             changed_parameters<3>,
+             {},
+             std::nullopt,
+             true},
+    HardCase{"M7", "FatAndTight", "volumes larger than their boxes", fat_and_tight<2>, fat_and_tight<3>},
+    HardCase{"M8", "Oscillation", "to and fro across planes", oscillation<2>, oscillation<3>},
+    HardCase{"M9", "CollapseAndExplosion", "an attractor, then apart", collapse_and_explosion<2>,
+             collapse_and_explosion<3>},
+    HardCase{"M10", "Resizing", "grow and shrink while moving", resizing<2>, resizing<3>},
+};
+
+}  // namespace
+
+std::span<const HardCase> motion_cases() { return kCases; }
 
 }  // namespace kerf::test

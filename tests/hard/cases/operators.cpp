@@ -1,12 +1,14 @@
 // O1 to O5: scenes that make the operators meet the situations in which they could lose an object.
 
+#include <array>
 #include <limits>
 
+#include "tests/hard/cases/cases.h"
 #include "tests/hard/cases/crowd.h"
-#include "tests/hard/cases/scripts.h"
 #include "tests/support/boxes.h"
 
 namespace kerf::test {
+namespace {
 
 template <int D>
 Script<D> shifts_onto_ends(Size size) {
@@ -109,14 +111,38 @@ Script<D> full_event_list(Size size) {
   return out.take();
 }
 
-#define KERF_INSTANTIATE(D)                          \
-  template Script<D> shifts_onto_ends<D>(Size);      \
-  template Script<D> swaps_at_the_root<D>(Size);     \
-  template Script<D> merges_of_straddlers<D>(Size);  \
-  template Script<D> events_for_dead_nodes<D>(Size); \
-  template Script<D> full_event_list<D>(Size);
-KERF_INSTANTIATE(2)
-KERF_INSTANTIATE(3)
-#undef KERF_INSTANTIATE
+constexpr std::string_view kEager =
+    "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=4,max_threshold=8";
+constexpr std::string_view kLate =
+    "max_redundancy=0.4,schedule_interval=1,budget_divisor=64,min_threshold=4,"
+    "max_threshold=8";
+constexpr std::string_view kUncapped =
+    "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=4,max_threshold=8,"
+    "max_entries=1000";
+constexpr std::string_view kCoarse =
+    "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=24,max_threshold=24";
+
+constexpr std::array kCases{
+    HardCase{"O1", "ShiftsOntoEnds", "balance onto ends of objects", shifts_onto_ends<2>, shifts_onto_ends<3>,
+             kEager, Operator::balance, true},
+    HardCase{"O2", "SwapsAtTheRoot", "swap down to one leaf", swaps_at_the_root<2>, swaps_at_the_root<3>,
+             kUncapped, Operator::swap, true},
+    HardCase{"O3", "MergesOfStraddlers", "merge of objects on both sides", merges_of_straddlers<2>,
+             merges_of_straddlers<3>, kCoarse, Operator::merge, true},
+    HardCase{"O4", "EventsForDeadNodes", "deferred until the node is gone", events_for_dead_nodes<2>,
+             events_for_dead_nodes<3>, kLate, std::nullopt, true},
+    HardCase{"O5",
+             "FullEventList",
+             "no budget, no room for events",
+             full_event_list<2>,
+             full_event_list<3>,
+             {},
+             std::nullopt,
+             true},
+};
+
+}  // namespace
+
+std::span<const HardCase> operators_cases() { return kCases; }
 
 }  // namespace kerf::test

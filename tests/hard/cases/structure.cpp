@@ -1,10 +1,11 @@
 // S1 to S12: arrangements that leave a tree nothing to divide, or too much.
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "tests/hard/cases/cases.h"
 #include "tests/hard/cases/crowd.h"
-#include "tests/hard/cases/scripts.h"
 #include "tests/support/boxes.h"
 
 namespace kerf::test {
@@ -27,8 +28,6 @@ Script<D> still_then_moved(std::uint32_t n, Scalar distance, std::uint32_t still
   }
   return out.take();
 }
-
-}  // namespace
 
 template <int D>
 Script<D> all_coincide(Size size) {
@@ -224,21 +223,31 @@ Script<D> overflowing_projections(Size size) {
   return out.take();
 }
 
-#define KERF_INSTANTIATE(D)                         \
-  template Script<D> all_coincide<D>(Size);         \
-  template Script<D> nested_boxes<D>(Size);         \
-  template Script<D> crossing_rods<D>(Size);        \
-  template Script<D> half_share_a_centre<D>(Size);  \
-  template Script<D> neighbouring_floats<D>(Size);  \
-  template Script<D> sorted_and_collinear<D>(Size); \
-  template Script<D> exponential_spacing<D>(Size);  \
-  template Script<D> many_objects<D>(Size);         \
-  template Script<D> few_objects<D>(Size);          \
-  template Script<D> touching_lattice<D>(Size);     \
-  template Script<D> slanted_needles<D>(Size);      \
-  template Script<D> overflowing_projections<D>(Size);
-KERF_INSTANTIATE(2)
-KERF_INSTANTIATE(3)
-#undef KERF_INSTANTIATE
+constexpr std::array kCases{
+    HardCase{"S1", "AllCoincide", "all boxes the same", all_coincide<2>, all_coincide<3>},
+    HardCase{"S2", "Nested", "each box in the next", nested_boxes<2>, nested_boxes<3>},
+    HardCase{"S3", "CrossingRods", "every plane straddled", crossing_rods<2>, crossing_rods<3>},
+    HardCase{"S4", "HalfShareACentre", "half on one spot, half aside", half_share_a_centre<2>,
+             half_share_a_centre<3>},
+    HardCase{"S5", "NeighbouringFloats", "no float between objects", neighbouring_floats<2>,
+             neighbouring_floats<3>},
+    HardCase{"S6", "SortedAndCollinear", "one long row, in order", sorted_and_collinear<2>,
+             sorted_and_collinear<3>},
+    HardCase{"S7", "ExponentialSpacing", "2^-120 to 2^120 on a line", exponential_spacing<2>,
+             exponential_spacing<3>},
+    HardCase{"S8", "ManyObjects", "more than 65,535 objects", many_objects<2>, many_objects<3>},
+    HardCase{"S9", "FewObjects", "0, 1, 2 objects; all removed", few_objects<2>, few_objects<3>},
+    HardCase{"S10", "TouchingLattice", "faces, edges, corners meet", touching_lattice<2>,
+             touching_lattice<3>},
+    HardCase{"S11", "SlantedNeedles", "dense set of directions", slanted_needles<2>, slanted_needles<3>,
+             "directions=400,candidate_factor=100,max_redundancy=0.4,schedule_interval=1,budget_divisor=1,"
+             "min_threshold=8,max_threshold=16"},
+    HardCase{"S12", "OverflowingProjections", "n * p beyond FLT_MAX", overflowing_projections<2>,
+             overflowing_projections<3>},
+};
+
+}  // namespace
+
+std::span<const HardCase> structure_cases() { return kCases; }
 
 }  // namespace kerf::test

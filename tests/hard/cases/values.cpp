@@ -1,10 +1,11 @@
 // V1 to V5: boxes that are none, and boxes without extent.
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "tests/hard/cases/cases.h"
 #include "tests/hard/cases/crowd.h"
-#include "tests/hard/cases/scripts.h"
 #include "tests/support/boxes.h"
 
 namespace kerf::test {
@@ -38,8 +39,6 @@ Script<D> spoiled_crowd(Size size, Status expected, Spoil spoil) {
   }
   return out.take();
 }
-
-}  // namespace
 
 template <int D>
 Script<D> not_a_number(Size size) {
@@ -156,14 +155,16 @@ Script<D> signed_zeros(Size size) {
   return out.take();
 }
 
-#define KERF_INSTANTIATE(D)                      \
-  template Script<D> not_a_number<D>(Size);      \
-  template Script<D> infinite_bounds<D>(Size);   \
-  template Script<D> inverted_boxes<D>(Size);    \
-  template Script<D> points_and_plates<D>(Size); \
-  template Script<D> signed_zeros<D>(Size);
-KERF_INSTANTIATE(2)
-KERF_INSTANTIATE(3)
-#undef KERF_INSTANTIATE
+constexpr std::array kCases{
+    HardCase{"V1", "NotANumber", "NaN in one bound or all", not_a_number<2>, not_a_number<3>},
+    HardCase{"V2", "InfiniteBounds", "unbounded planes, half spaces", infinite_bounds<2>, infinite_bounds<3>},
+    HardCase{"V3", "Inverted", "min > max", inverted_boxes<2>, inverted_boxes<3>},
+    HardCase{"V4", "PointsAndFlatPlates", "zero extent", points_and_plates<2>, points_and_plates<3>},
+    HardCase{"V5", "SignedZeros", "+0 touches -0", signed_zeros<2>, signed_zeros<3>},
+};
+
+}  // namespace
+
+std::span<const HardCase> values_cases() { return kCases; }
 
 }  // namespace kerf::test
