@@ -8,7 +8,6 @@
 #include "frames/advise/recorded_motion.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/sequence/recorded_steps.h"
 #include "frames/sequence/recording_file.h"
@@ -147,10 +146,7 @@ class AdviseCommand final : public Command {
 AdviseCommand::AdviseCommand(CLI::App& program)
     : Command(program, "advise",
               "Say which broad phase is the fastest on a recording, by running them all on its boxes") {
-  command_->add_option("FILE", file_, "A recording, for example by `kerf import`")->type_name("")->required();
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    command_->add_option(name, text, meaning)->type_name(type);
-  };
+  option("FILE", file_, "A recording, for example by `kerf import`", "")->required();
   option("--steps", steps_, "Which (default all; the last 8,000,000 / objects of a long recording)", "A:B");
   option("--broad-phases", broad_phases_,
          "Only these, see `kerf bench --help`; kerf:K=V has other parameters (default all that there are)",
@@ -158,8 +154,8 @@ AdviseCommand::AdviseCommand(CLI::App& program)
   option("--rounds", rounds_, "How often all is repeated, 2 or more (default 5)", "R");
   option("--patience", patience_, "Seconds of a round after which a broad phase is left out (default 10)",
          "S");
-  add_output(*command_, "--json", json_, "Also all figures as JSON");
-  add_output(*command_, "--plot", plot_, "Also a picture of the times, an .svg");
+  output("--json", json_, "Also all figures as JSON");
+  output("--plot", plot_, "Also a picture of the times, an .svg");
   command_->add_flag("--overwrite", overwrite_, "Replace earlier files");
   command_->footer(
       "TIMES   the time of a step over that of the fastest, the median of the rounds, and ROUNDS the least "

@@ -12,7 +12,6 @@
 #include "frames/bench/random/random_bench.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
@@ -222,9 +221,6 @@ class BenchCommand final : public Command {
 
 BenchCommand::BenchCommand(CLI::App& program)
     : Command(program, "bench", "Measure broad phases, ours and others', on the same boxes") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("--scenes", texts_.scenes, "Which motions (see below; default all)", "A,B,...");
   option("--simulations", texts_.simulations,
          "Instead: broad phases in the loop of these scenes of `kerf render` (or all), beside the same boxes "
@@ -247,7 +243,7 @@ BenchCommand::BenchCommand(CLI::App& program)
   option("--seed", texts_.seed, "Of the motions (default 1)", "S");
   option("--patience", texts_.patience,
          "Seconds of a round after which an algorithm is left out (default 30; with --random 5)", "S");
-  add_output(*command_, "--json", texts_.json, "Also all figures as JSON, after each cell");
+  output("--json", texts_.json, "Also all figures as JSON, after each cell");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier JSON file");
   command_->add_flag("--ablation", texts_.ablation,
                      "What each policy of the tuned tree earns: beside it, the tree without the policy, in "

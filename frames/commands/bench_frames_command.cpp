@@ -10,7 +10,6 @@
 #include "frames/bench_frames/frame_loops.h"
 #include "frames/bench_frames/timed_process.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
@@ -159,16 +158,12 @@ class BenchFramesCommand final : public Command {
 
 BenchFramesCommand::BenchFramesCommand(CLI::App& program)
     : Command(program, "bench-frames", "Measure how fast frames are made") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("--sizes", sizes_, "Sizes of pictures (default 640x360,1280x720,1920x1080)", "WxH,...");
   option("--boxes", boxes_, "Numbers of boxes (default 1000,10000,100000)", "N,...");
   option("--frames", frames_, "Frames of each (default: enough to measure)", "N");
   option("--workers", workers_, "Processes that draw (default: one a core)", "N");
-  add_output(*command_, "--out", out_,
-             "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
-  add_output(*command_, "--json", json_, "Also the results and the machine, after each row");
+  output("--out", out_, "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
+  output("--json", json_, "Also the results and the machine, after each row");
   command_->add_flag("--overwrite", overwrite_, "Replace earlier results");
   command_->footer(
       "Milliseconds a frame: 'naive' simulates, draws, reads and encodes by stb in one loop; 'pipeline' is\n"

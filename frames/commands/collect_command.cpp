@@ -6,7 +6,6 @@
 
 #include "core/base/counted.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/collection.h"
 #include "frames/sequence/film_files.h"
 #include "frames/sequence/sequence_folder.h"
@@ -50,14 +49,11 @@ class CollectCommand final : public Command {
 
 CollectCommand::CollectCommand(CLI::App& program)
     : Command(program, "collect", "Check the shards of a sequence and put them together") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
-  command_->add_option("DIR", folders_, "The folders of all shards")->type_name("")->required();
-  add_output(*command_, "--out", out_, "Put all frames and one manifest here", "DIR");
-  add_output(*command_, "--video", video_, "Make a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
+  option("DIR", folders_, "The folders of all shards", "")->required();
+  output("--out", out_, "Put all frames and one manifest here", "DIR");
+  output("--video", video_, "Make a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
   option("--fps", fps_, "Frames a second of the film (default 25)", "N");
-  add_output(*command_, "--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png");
+  output("--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier sequence, film and contact sheet");
   command_->footer(
       "Every picture is read and held against its manifest. What is missing or damaged is said, and the\n"

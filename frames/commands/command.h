@@ -21,6 +21,17 @@ class Command {
   virtual void run() const = 0;
 
  protected:
+  /// Adds an option, or an argument, that takes a value.
+  template <class Value>
+  CLI::Option* option(const char* name, Value& value, const char* meaning, const char* type) {
+    return command_->add_option(name, value, meaning)->type_name(type);
+  }
+  /// One that says where the command writes to. The help shows such options in a group of their own, by which
+  /// a test finds them all and holds each against the rules of Outputs.
+  CLI::Option* output(const char* name, std::string& path, const char* meaning, const char* type = "FILE") {
+    return option(name, path, meaning, type)->group("Outputs");
+  }
+
   CLI::App* command_;
 };
 

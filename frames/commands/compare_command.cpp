@@ -177,8 +177,8 @@ class CompareCommand final : public Command {
 
 CompareCommand::CompareCommand(CLI::App& program)
     : Command(program, "compare", "Find where two recordings first differ") {
-  command_->add_option("A", a_, "A recording")->type_name("")->required();
-  command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
+  option("A", a_, "A recording", "")->required();
+  option("B", b_, "Another, of the same dimension", "")->required();
   command_->add_flag("--json", json_, "As JSON");
 }
 

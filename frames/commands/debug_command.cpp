@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/commands/record_in_window.h"
 #include "frames/commands/window_keeper.h"
 #include "frames/sequence/render_request.h"
@@ -170,9 +169,6 @@ class DebugCommand final : public Command {
 
 DebugCommand::DebugCommand(CLI::App& program)
     : Command(program, "debug", "Step through a run, forwards and backwards, and ask why") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("SCENE|FILE", texts_.scene, "A scene of `kerf scenes`, or a recording (default: a tour of one)", "");
   option("--steps", texts_.steps, "Of a scene: how many are recorded (default 300)", "N");
   option("--objects", texts_.objects, "Of a scene: moving objects (default: the scene's own)", "N");
@@ -182,7 +178,7 @@ DebugCommand::DebugCommand(CLI::App& program)
   option("--config", texts_.config, "Of a scene: parameters of the tree, see `kerf render --help`",
          "K=V,...");
   option("--seed", texts_.seed, "Of a scene: of every random choice (default 1)", "S");
-  add_output(*command_, "--record", texts_.record, "Of a scene: keep the recording under this name");
+  output("--record", texts_.record, "Of a scene: keep the recording under this name");
   command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording and earlier pictures");
   option("--size", texts_.size, "Of the window or the pictures (default 1280x720)", "WxH");
   option("--scale", scale_, "Pixels for each that panels count in (default: what the display asks for)", "X");
@@ -193,14 +189,11 @@ DebugCommand::DebugCommand(CLI::App& program)
          "FILE");
   command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
   option("--script", script_, "Do what this file says, and end", "FILE");
-  command_
-      ->add_option(
-          "--session", sessions_,
-          "Go on where it was, and keep it there (default in a window: FILE.session); several are joined")
-      ->type_name("FILE")
+  option("--session", sessions_,
+         "Go on where it was, and keep it there (default in a window: FILE.session); several are joined",
+         "FILE")
       ->allow_extra_args(false);
-  add_output(*command_, "-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)",
-             "DIR");
+  output("-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)", "DIR");
   command_->footer(kDebugFooter);
 }
 

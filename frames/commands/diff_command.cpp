@@ -5,7 +5,6 @@
 
 #include "core/base/counted.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/diff/approve.h"
 #include "frames/diff/diff_page.h"
 #include "frames/diff/diff_result.h"
@@ -107,14 +106,11 @@ class DiffCommand final : public Command {
 };
 
 DiffCommand::DiffCommand(CLI::App& program) : Command(program, "diff", "Find what differs between pictures") {
-  command_->add_option("REFERENCE", reference_, "What is right: a PNG or a folder")
-      ->type_name("")
-      ->required();
-  command_->add_option("TEST", test_, "What is in question")->type_name("")->required();
-  command_->add_option("--gate", gate_, "What counts as the same, see below")->type_name("NAME");
-  command_->add_option("--flip-limit", flip_limit_, "Largest FLIP that the gate flip allows, 0 to 1")
-      ->type_name("X");
-  add_output(*command_, "--report", report_, "Also a page that shows what differs: DIR/index.html", "DIR");
+  option("REFERENCE", reference_, "What is right: a PNG or a folder", "")->required();
+  option("TEST", test_, "What is in question", "")->required();
+  option("--gate", gate_, "What counts as the same, see below", "NAME");
+  option("--flip-limit", flip_limit_, "Largest FLIP that the gate flip allows, 0 to 1", "X");
+  output("--report", report_, "Also a page that shows what differs: DIR/index.html", "DIR");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier page");
   command_->add_flag("--json", json_, "As JSON");
   command_->add_flag(

@@ -128,7 +128,7 @@ class DoctorCommand final : public Command {
 
 DoctorCommand::DoctorCommand(CLI::App& program)
     : Command(program, "doctor", "What is there on this machine, and what to do about the rest") {
-  command_->add_option("--room", room_, "So much free space is needed (default 1)")->type_name("GIB");
+  option("--room", room_, "So much free space is needed (default 1)", "GIB");
   command_->add_flag("--json", json_, "The same as JSON, with the machine");
   command_->footer("It changes nothing. What only some commands need may be missing.");
 }

@@ -7,7 +7,6 @@
 
 #include "core/base/counted.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_maker.h"
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_plan.h"
@@ -95,16 +94,11 @@ class ExperimentCommand final : public Command {
 
 ExperimentCommand::ExperimentCommand(CLI::App& program)
     : Command(program, "experiment", "Run the paper's experiment: figures 12, 13 and its claims") {
-  command_->add_option("--steps", steps_, "Of each simulation (default 1200; the paper: 6000)")
-      ->type_name("N");
-  command_->add_option("--objects", objects_, "Moving ones at the end (default 2000; the paper: 4250)")
-      ->type_name("N");
-  command_->add_option("--seeds", seeds_, "Each simulation is run with so many, from --seed on (default 3)")
-      ->type_name("N");
-  command_
-      ->add_option("--repeats", repeats_,
-                   "Each run is repeated so often, one repeat of all after the other (default 1)")
-      ->type_name("N");
+  option("--steps", steps_, "Of each simulation (default 1200; the paper: 6000)", "N");
+  option("--objects", objects_, "Moving ones at the end (default 2000; the paper: 4250)", "N");
+  option("--seeds", seeds_, "Each simulation is run with so many, from --seed on (default 3)", "N");
+  option("--repeats", repeats_,
+         "Each run is repeated so often, one repeat of all after the other (default 1)", "N");
   command_->add_flag(
       "--full", full_,
       "The paper's size, and enough runs: --steps 6000 --objects 4250 --seeds 3 --repeats 5 (hours)");
@@ -112,14 +106,12 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "--related", related_,
       "Instead: the related work of the paper's section 2 on the same simulations, and what the "
       "paper says of it");
-  command_->add_option("--seed", seed_, "The first one of every random choice (default 1)")->type_name("S");
-  add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
-  command_
-      ->add_option(
-          "--shard", shard_,
-          "Only every N-th run, the K-th first, and no pages: on other machines with the same build of kerf, "
-          "in one folder")
-      ->type_name("K/N");
+  option("--seed", seed_, "The first one of every random choice (default 1)", "S");
+  output("--out", out_, "Folder (default out/experiment)", "DIR");
+  option("--shard", shard_,
+         "Only every N-th run, the K-th first, and no pages: on other machines with the same build of kerf, "
+         "in one folder",
+         "K/N");
   command_->add_flag("--overwrite", overwrite_,
                      "Replace an earlier page and its figures, and runs of another size or another build of "
                      "kerf");

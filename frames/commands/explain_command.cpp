@@ -111,9 +111,6 @@ class ExplainCommand final : public Command {
 ExplainCommand::ExplainCommand(CLI::App& program)
     : Command(program, "explain",
               "Say why: a pair or none, a node, an event of a recording, what a query finds") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("FILE", file_, "A recording", "")->required();
   option("--step", step_, "After which step (default: the last)", "N");
   auto* const subject = command_->add_option_group("subject");

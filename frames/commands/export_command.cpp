@@ -4,7 +4,6 @@
 #include "core/base/poll.h"
 #include "frames/commands/command.h"
 #include "frames/commands/export_recording.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -36,7 +35,7 @@ class ExportCommand final : public Command {
 
 ExportCommand::ExportCommand(CLI::App& program)
     : Command(program, "export", "Write a recording for other programs") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  option("FILE", file_, "A recording", "")->required();
   auto* const format = command_->add_option_group("format");
   format->add_flag("--chrome-trace", chrome_trace_, "Phases, operators and counters as a timeline (JSON)");
   format->add_flag("--csv", csv_, "A line for each step, with all its figures");
@@ -45,7 +44,7 @@ ExportCommand::ExportCommand(CLI::App& program)
   format->add_flag("--pairs", pairs_,
                    "A line for each pair of another engine: what `kerf import --pairs` reads");
   format->require_option(1);
-  add_output(*command_, "-o,--out", out_, "Where to (default, and -: standard output)");
+  output("-o,--out", out_, "Where to (default, and -: standard output)");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }

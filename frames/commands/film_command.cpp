@@ -1,5 +1,4 @@
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/story/story.h"
 #include "frames/story/story_request.h"
 
@@ -18,13 +17,9 @@ class FilmCommand final : public Command {
 FilmCommand::FilmCommand(CLI::App& program)
     : Command(program, "film", "A short film of a run, to share: scene, tree and tests") {
   RenderTexts& texts = texts_.pictures;
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("SCENE|FILE", texts.scene, "A scene of `kerf scenes`, or a recording", "")->required();
-  add_output(*command_, "-o,--out", texts.video, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")
-      ->required();
-  add_output(*command_, "--still", texts_.still, "Also its picture of the largest operator, a .png");
+  output("-o,--out", texts.video, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")->required();
+  output("--still", texts_.still, "Also its picture of the largest operator, a .png");
   option("--seconds", texts_.seconds, "How long it is (default 60)", "N");
   option("--fps", texts.fps, "Frames a second (default 60)", "N");
   option("--size", texts.size, "Width and height in pixels (default 1920x1080)", "WxH");

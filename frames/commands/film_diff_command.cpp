@@ -8,7 +8,6 @@
 #include "core/base/counted.h"
 #include "core/base/given_names.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/difference_panels.h"
 #include "frames/sequence/film_files.h"
 #include "frames/sequence/manifest.h"
@@ -95,11 +94,11 @@ class FilmDiffCommand final : public Command {
 
 FilmDiffCommand::FilmDiffCommand(CLI::App& program)
     : Command(program, "film-diff", "Two sequences side by side, with what differs, as a film") {
-  command_->add_option("A", a_, "Folder of a sequence")->type_name("")->required();
-  command_->add_option("B", b_, "Folder of another one")->type_name("")->required();
-  add_output(*command_, "-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")->required();
-  command_->add_option("--fps", fps_, "Frames a second (default 25)")->type_name("N");
-  add_output(*command_, "--contact-sheet", contact_sheet_, "Also twenty of the pictures in one .png");
+  option("A", a_, "Folder of a sequence", "")->required();
+  option("B", b_, "Folder of another one", "")->required();
+  output("-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")->required();
+  option("--fps", fps_, "Frames a second (default 25)", "N");
+  output("--contact-sheet", contact_sheet_, "Also twenty of the pictures in one .png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier film and contact sheet");
   command_->footer(
       "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/import/import_boxes.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/support/errors.h"
@@ -46,11 +45,8 @@ class ImportCommand final : public Command {
 
 ImportCommand::ImportCommand(CLI::App& program)
     : Command(program, "import", "Make a recording of another engine's boxes and pairs") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("FILE", boxes_, "Their boxes, see below; - for standard input", "")->required();
-  add_output(*command_, "-o,--out", out_, "The recording")->required();
+  output("-o,--out", out_, "The recording")->required();
   option("--pairs", pairs_, "Their pairs: step,a,b", "FILE");
   option("--objects", objects_, "Names, colours and shapes of objects, see below", "FILE");
   option("--margin", margin_, "Their boxes are so much larger on each side, or by a share of their extent",

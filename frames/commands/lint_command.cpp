@@ -64,11 +64,9 @@ LintCommand::LintCommand(CLI::App& program)
     : Command(
           program, "lint",
           "Find operators that undo each other, or wait for ever; or faults of another engine's structure") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  option("FILE", file_, "A recording", "")->required();
   auto* const within =
-      command_
-          ->add_option("--within", within_, "What counts as thrashing happens in so many steps (default 50)")
-          ->type_name("STEPS");
+      option("--within", within_, "What counts as thrashing happens in so many steps (default 50)", "STEPS");
   auto* const structure = command_->add_flag(
       "--structure", structure_, "Check the other engine's structure instead, see `kerf import --structure`");
   structure->excludes(within);

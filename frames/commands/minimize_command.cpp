@@ -9,7 +9,6 @@
 #include "core/query/minimize.h"
 #include "core/query/search.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/commands/test_of_scenario.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
@@ -152,11 +151,9 @@ class MinimizeCommand final : public Command {
 
 MinimizeCommand::MinimizeCommand(CLI::App& program)
     : Command(program, "minimize", "Find the smallest run in which a condition still holds") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  command_->add_option("--when", when_, "The condition, see `kerf step --help`")
-      ->type_name("EXPR")
-      ->required();
-  add_output(*command_, "-o,--out", out_, "The small recording, for example small.kerf")->required();
+  option("FILE", file_, "A recording", "")->required();
+  option("--when", when_, "The condition, see `kerf step --help`", "EXPR")->required();
+  output("-o,--out", out_, "The small recording, for example small.kerf")->required();
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
   command_->footer(
       "Objects, steps and operators are left out as long as the condition still holds (delta debugging). "

@@ -1,7 +1,6 @@
 #include <string>
 
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/record_scene.h"
 #include "frames/sequence/render_request.h"
 #include "frames/support/errors.h"
@@ -20,11 +19,8 @@ class RecordCommand final : public Command {
 
 RecordCommand::RecordCommand(CLI::App& program)
     : Command(program, "record", "Run a scene and record every step of its tree") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("SCENE", texts_.scene, "A scene of `kerf scenes`", "")->required();
-  add_output(*command_, "-o,--out", texts_.record, "The recording, for example pile.kerf")->required();
+  output("-o,--out", texts_.record, "The recording, for example pile.kerf")->required();
   option("--steps", texts_.steps, "How many (default 1000)", "N");
   option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
   option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");

@@ -1,7 +1,6 @@
 #include <string>
 
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/render_request.h"
 #include "frames/sequence/sequence.h"
 
@@ -61,9 +60,6 @@ class RenderCommand final : public Command {
 
 RenderCommand::RenderCommand(CLI::App& program)
     : Command(program, "render", "Run a scene, or a recording again, and draw it as a sequence of frames") {
-  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
-    return command_->add_option(name, text, meaning)->type_name(type);
-  };
   option("SCENE", texts_.scene, "A scene of `kerf scenes`, or the file of a recording", "")->required();
   option("--steps", texts_.steps, "From step A to B a frame every N steps (default 1:1000:4)", "A:B:N");
   option("--size", texts_.size, "Width and height in pixels (default 1280x720)", "WxH");
@@ -89,13 +85,12 @@ RenderCommand::RenderCommand(CLI::App& program)
          "any|osmesa|egl");
   option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
          "K=V,...");
-  add_output(*command_, "--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
-  add_output(*command_, "--video", texts_.video,
-             "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
+  output("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
+  output("--video", texts_.video, "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
   option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
-  add_output(*command_, "--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png");
+  output("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png");
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
-  add_output(*command_, "--record", texts_.record, "Also a recording for `kerf verify` and the like");
+  output("--record", texts_.record, "Also a recording for `kerf verify` and the like");
   option("--workers", texts_.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
   option("--shard", texts_.shard, "Of a recording: only every N-th frame, the K-th first", "K/N");
   command_->add_flag(

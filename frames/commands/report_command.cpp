@@ -3,7 +3,6 @@
 
 #include "core/base/counted.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/report/report_request.h"
 #include "frames/report/section.h"
@@ -148,24 +147,20 @@ class ReportCommand final : public Command {
 ReportCommand::ReportCommand(CLI::App& program)
     : Command(program, "report", "One page of speed against error, with plots and tables") {
   command_->add_option("sections", texts_.sections, "Which sections, see below (default all)");
-  add_output(*command_, "--out", texts_.out, "The page", "FILE.html")->capture_default_str();
+  output("--out", texts_.out, "The page", "FILE.html")->capture_default_str();
   command_->add_flag("--full", texts_.full,
                      "The paper's 4,250 objects; 1,000 where pairs decide what moves (hours)");
-  const auto option = [this](const char* name, std::string& text, const char* meaning) {
-    command_->add_option(name, text, meaning)->type_name("N");
+  const auto count = [this](const char* name, std::string& text, const char* meaning) {
+    option(name, text, meaning, "N");
   };
-  option("--objects", texts_.objects,
-         "Objects of every motion and scene (default 120 to 2000, by the section)");
-  option("--steps", texts_.steps, "Steps of every motion and scene (default 100 and 250)");
-  option("--rounds", texts_.rounds, "How often timed runs are repeated (default 3)");
-  option("--seeds", texts_.seeds, "Seeds of scenes in which pairs decide what moves (default 16)");
-  command_
-      ->add_option(
-          "--shard", texts_.shard,
-          "Only every N-th measurement, the K-th first, and no page: on like machines, in one folder")
-      ->type_name("K/N");
-  command_->add_option("--hardcases", texts_.hardcases, "Where ./run hardcases wrote its table")
-      ->type_name("FOLDER")
+  count("--objects", texts_.objects,
+        "Objects of every motion and scene (default 120 to 2000, by the section)");
+  count("--steps", texts_.steps, "Steps of every motion and scene (default 100 and 250)");
+  count("--rounds", texts_.rounds, "How often timed runs are repeated (default 3)");
+  count("--seeds", texts_.seeds, "Seeds of scenes in which pairs decide what moves (default 16)");
+  option("--shard", texts_.shard,
+         "Only every N-th measurement, the K-th first, and no page: on like machines, in one folder", "K/N");
+  option("--hardcases", texts_.hardcases, "Where ./run hardcases wrote its table", "FOLDER")
       ->capture_default_str();
   command_->add_flag("--fresh", texts_.fresh, "Measure anew what an earlier run has kept");
   command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier page");

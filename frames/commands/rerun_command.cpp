@@ -8,7 +8,6 @@
 #include "core/base/counted.h"
 #include "core/replay/what_if.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
@@ -106,16 +105,12 @@ class RerunCommand final : public Command {
 RerunCommand::RerunCommand(CLI::App& program)
     : Command(program, "rerun",
               "What if? Record the boxes of a recording again, with another configuration or decision") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  add_output(*command_, "-o,--out", out_, "The new recording")->required();
-  command_->add_option("--config", config_, "Parameters that change, see `kerf render --help`")
-      ->type_name("K=V,...");
-  command_->add_option("--from", from_, "The first step in which --config holds (default: the first)")
-      ->type_name("STEP");
-  auto* refuse = command_->add_option("--refuse", refuse_, "The operator of this event does not act")
-                     ->type_name("EVENT");
-  command_->add_option("--take", take_, "The split of this event divides by that candidate of its ballot")
-      ->type_name("EVENT:K")
+  option("FILE", file_, "A recording", "")->required();
+  output("-o,--out", out_, "The new recording")->required();
+  option("--config", config_, "Parameters that change, see `kerf render --help`", "K=V,...");
+  option("--from", from_, "The first step in which --config holds (default: the first)", "STEP");
+  auto* refuse = option("--refuse", refuse_, "The operator of this event does not act", "EVENT");
+  option("--take", take_, "The split of this event divides by that candidate of its ballot", "EVENT:K")
       ->excludes(refuse);
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(

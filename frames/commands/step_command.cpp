@@ -10,7 +10,6 @@
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/sequence/recording_picture.h"
 #include "frames/support/errors.h"
@@ -135,12 +134,11 @@ class StepCommand final : public Command {
 
 StepCommand::StepCommand(CLI::App& program)
     : Command(program, "step", "Go to the moment of a recording at which a condition holds") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  command_->add_option("--to", to_, "The condition, see below")->type_name("EXPR")->required();
-  command_->add_option("--from", from_, "After step N or event eN (default: the beginning)")
-      ->type_name("N|eN");
-  command_->add_option("--hits", hits_, "How many moments (default 1)")->type_name("N");
-  add_output(*command_, "--picture", picture_, "Draw the last moment found", "FILE.png");
+  option("FILE", file_, "A recording", "")->required();
+  option("--to", to_, "The condition, see below", "EXPR")->required();
+  option("--from", from_, "After step N or event eN (default: the beginning)", "N|eN");
+  option("--hits", hits_, "How many moments (default 1)", "N");
+  output("--picture", picture_, "Draw the last moment found", "FILE.png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier picture");
   command_->add_flag("--reverse", reverse_, "Backwards, from --from or the end");
   command_->footer(step_footer());

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "frames/commands/command.h"
-#include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/study/join.h"
 #include "frames/study/study_page.h"
@@ -71,10 +70,9 @@ class StudyCommand final : public Command {
 
 StudyCommand::StudyCommand(CLI::App& program)
     : Command(program, "study", "Measure a matrix of cells, on one machine or on many") {
-  command_->add_option("STUDY", file_, "The matrix, see below")->type_name("")->required();
-  add_output(*command_, "-o,--out", out_,
-             "The folder of the cells (default out/STUDY); with --join that of the tables and the page",
-             "DIR");
+  option("STUDY", file_, "The matrix, see below", "")->required();
+  output("-o,--out", out_,
+         "The folder of the cells (default out/STUDY); with --join that of the tables and the page", "DIR");
   auto* const shard = command_->add_option("--shard", shard_, "Only every N-th cell, the K-th first");
   shard->type_name("K/N");
   auto* const cells = command_->add_option(

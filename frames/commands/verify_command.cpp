@@ -65,9 +65,8 @@ class VerifyCommand final : public Command {
 
 VerifyCommand::VerifyCommand(CLI::App& program)
     : Command(program, "verify", "Replay a recording and compare it with itself and the oracle") {
-  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
-      ->type_name("N");
+  option("FILE", file_, "A recording", "")->required();
+  option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)", "N");
   command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
 }
 
