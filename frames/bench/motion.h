@@ -33,6 +33,7 @@ constexpr bool is_absent(const Box<D>& box) {
 template <int D>
 class Motion {
  public:
+  static constexpr int kDimension = D;
   explicit Motion(std::uint64_t seed) : random_(seed) {}
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;

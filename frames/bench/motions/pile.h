@@ -18,7 +18,7 @@ struct PileRules {
 /// Objects that fall, come to rest on a heap and stir there. The last axis is up. It is no physics, but has
 /// what matters to a broad phase: columns of touching boxes, slopes, a loose rain above, small motion below.
 template <int D>
-class Pile final : public Motion<D> {
+class Pile : public Motion<D> {
  public:
   Pile(std::uint32_t count, std::uint64_t seed, const PileRules& rules);
   void advance() override;

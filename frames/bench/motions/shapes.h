@@ -1,17 +1,18 @@
+#pragma once
+
 // Worlds and boxes of other shapes than cubes, and other densities.
 
 #include <cmath>
 
-#include "frames/bench/motions/motions.h"
 #include "frames/bench/motions/scattered.h"
 
 namespace kerf {
-namespace {
-
+/// Straight flight on a plane of the world (in 2D along a line) on which all objects stand: the last axis
+/// separates nothing.
 template <int D>
-class Flat final : public Flight<D> {
+class FlatWorld final : public Flight<D> {
  public:
-  Flat(std::uint32_t count, std::uint64_t seed) : Flight<D>(count, seed, side_for(count, D - 1)) {
+  FlatWorld(std::uint32_t count, std::uint64_t seed) : Flight<D>(count, seed, side_for(count, D - 1)) {
     constexpr double kUneven = 0.2;
     for (std::size_t k = 0; k < count; ++k) {
       this->velocities_[k][D - 1] = 0;
@@ -21,6 +22,7 @@ class Flat final : public Flight<D> {
   }
 };
 
+/// Rods sixty times as long as thick, each along an axis, that fly by most of their thickness in each step.
 template <int D>
 class Rods final : public Flight<D> {
  public:
@@ -45,30 +47,5 @@ class Rods final : public Flight<D> {
   static constexpr double kLength = 12;
   static constexpr double kThickness = 0.2;
 };
-
-}  // namespace
-
-template <int D>
-std::unique_ptr<Motion<D>> make_flat(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Flat<D>>(count, seed);
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_dense(std::uint32_t count, std::uint64_t seed) {
-  constexpr double kPairs = 50;
-  return std::make_unique<Flight<D>>(count, seed, side_for(count, D, 1, kPairs));
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_rods(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Rods<D>>(count, seed);
-}
-
-template std::unique_ptr<Motion<2>> make_flat<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_flat<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_dense<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_dense<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_rods<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_rods<3>(std::uint32_t, std::uint64_t);
 
 }  // namespace kerf

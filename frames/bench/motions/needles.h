@@ -1,13 +1,15 @@
+#pragma once
+
 #include <cmath>
 #include <vector>
 
-#include "frames/bench/motions/motions.h"
+#include "frames/bench/motion.h"
 
 namespace kerf {
-namespace {
+inline constexpr double kLongest = 8;
 
-constexpr double kLongest = 8;
-
+/// Needles of length 1 to 8, nearly diagonal, that fly lengthwise and turn. Their boxes are large and differ
+/// much in size.
 /// The direction of a needle: within some 25 degrees of a diagonal, to which it swings back.
 template <int D>
 class Needles final : public Motion<D> {
@@ -75,15 +77,5 @@ class Needles final : public Motion<D> {
   double side_;
   std::vector<Needle> needles_;
 };
-
-}  // namespace
-
-template <int D>
-std::unique_ptr<Motion<D>> make_needles(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Needles<D>>(count, seed);
-}
-
-template std::unique_ptr<Motion<2>> make_needles<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_needles<3>(std::uint32_t, std::uint64_t);
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
+#pragma once
+
 #include <utility>
 #include <vector>
 
-#include "frames/bench/motions/motions.h"
 #include "frames/bench/motions/scattered.h"
 
 namespace kerf {
-namespace {
-
+/// Random walk by up to 0.75 of a usual extent along each axis and step: no step resembles the next.
 template <int D>
 class Brownian : public Scattered<D> {
  public:
@@ -20,6 +20,7 @@ class Brownian : public Scattered<D> {
   }
 };
 
+/// The same for 20 steps, then all rest for 40, alternately.
 template <int D>
 class Pauses final : public Brownian<D> {
  public:
@@ -41,6 +42,7 @@ class Pauses final : public Brownian<D> {
   std::uint32_t step_ = 0;
 };
 
+/// Everything is somewhere else in each step.
 template <int D>
 class Teleport final : public Scattered<D> {
  public:
@@ -50,6 +52,8 @@ class Teleport final : public Scattered<D> {
   }
 };
 
+/// One in twenty walks, by up to 0.3 of a usual extent, the others rest; the walkers change slowly. Resting
+/// objects are not fixed: their pairs belong to the complete set.
 template <int D>
 class MostlyStatic : public Scattered<D> {
  public:
@@ -88,6 +92,7 @@ class MostlyStatic : public Scattered<D> {
   std::vector<ObjectId> order_;  ///< the awake ones come first
 };
 
+/// Mostly static, but the origin is moved by the world's diagonal, there or back, in every tenth step.
 /// The same world, seen from an origin that goes away and comes back again.
 template <int D>
 class Shifts final : public MostlyStatic<D> {
@@ -113,50 +118,5 @@ class Shifts final : public MostlyStatic<D> {
   std::uint32_t step_ = 0;
   bool is_away_ = false;
 };
-
-}  // namespace
-
-template <int D>
-std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Brownian<D>>(count, seed);
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_pauses(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Pauses<D>>(count, seed);
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Flight<D>>(count, seed, side_for(count, D));
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_teleport(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Teleport<D>>(count, seed);
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<MostlyStatic<D>>(count, seed);
-}
-
-template <int D>
-std::unique_ptr<Motion<D>> make_shifts(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Shifts<D>>(count, seed);
-}
-
-template std::unique_ptr<Motion<2>> make_brownian<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_brownian<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_pauses<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_pauses<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_uniform<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_uniform<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_teleport<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_teleport<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_mostly_static<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_mostly_static<3>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<2>> make_shifts<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_shifts<3>(std::uint32_t, std::uint64_t);
 
 }  // namespace kerf

@@ -1,18 +1,21 @@
+#pragma once
+
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "frames/bench/motions/motions.h"
+#include "frames/bench/motion.h"
 
 namespace kerf {
-namespace {
+inline constexpr std::uint32_t kAttractors = 8;
+inline constexpr double kPairsInClouds = 4;
+inline constexpr double kSpeed = 0.3;  ///< root of the mean square along an axis, in usual extents a step
+inline constexpr std::uint32_t kFaithful = 500;  ///< steps between changes of attractor, on average
 
-constexpr std::uint32_t kAttractors = 8;
-constexpr double kPairsInClouds = 4;
-constexpr double kSpeed = 0.3;            ///< root of the mean square along an axis, in usual extents a step
-constexpr std::uint32_t kFaithful = 500;  ///< steps between changes of attractor, on average
-
+/// Eight wandering attractors; everything starts scattered, collapses into swirling clouds of Gaussian
+/// density and sometimes changes its attractor. About 4 pairs an object on average, more in the hearts of
+/// clouds.
 /// The Langevin equation in a harmonic well: objects swirl and settle into a Gaussian cloud. A cloud of m
 /// boxes of extent 1 and deviation s has m * 2^(D-1) / ((4 pi)^(D/2) s^D) pairs an object, which gives s.
 template <int D>
@@ -81,15 +84,5 @@ class Attractors final : public Motion<D> {
   std::array<Vector<D>, kAttractors> attractors_;
   std::vector<Member> members_;
 };
-
-}  // namespace
-
-template <int D>
-std::unique_ptr<Motion<D>> make_attractors(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Attractors<D>>(count, seed);
-}
-
-template std::unique_ptr<Motion<2>> make_attractors<2>(std::uint32_t, std::uint64_t);
-template std::unique_ptr<Motion<3>> make_attractors<3>(std::uint32_t, std::uint64_t);
 
 }  // namespace kerf
