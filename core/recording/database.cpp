@@ -221,8 +221,8 @@ Database Database::create(const std::filesystem::path& path) {
   // Each page is written twice, by a call of its own: blocks and keyframes fill large ones. The log is folded
   // into the file every 1,000 pages: each time the writer waits for the disk.
   database.execute(
-      "PRAGMA page_size = 16384; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; "
-      "PRAGMA wal_autocheckpoint = 1000;");
+      "PRAGMA page_size = 16384; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA "
+      "wal_autocheckpoint = 1000;");
   return database;
 }
 
@@ -272,10 +272,9 @@ void Database::look_for_journal(const std::filesystem::path& path) {
   } catch (const NotADatabase&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(
-        std::string(error.what()) + "; beside it lies " + path.filename().string() +
-        "-journal: another program was changing the recording. `sqlite3 FILE` takes that "
-        "back; if the journal is not of this file, remove it");
+    throw std::runtime_error(std::string(error.what()) + "; beside it lies " + path.filename().string() +
+                             "-journal: another program was changing the recording. `sqlite3 FILE` takes "
+                             "that back; if the journal is not of this file, remove it");
   }
 }
 

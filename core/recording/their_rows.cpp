@@ -26,8 +26,8 @@ TheirStep read_sum(const Statement& row, int column) {
 
 /// Undecided pairs are counted where they are: the table of sums is that of recordings without any.
 constexpr const char* kSumColumns =
-    "pairs, missed, extra, twice, ignored, (SELECT COUNT(*) FROM their_verdicts "
-    "WHERE their_verdicts.step = their_steps.step AND verdict = 'undecided')";
+    "pairs, missed, extra, twice, ignored, (SELECT COUNT(*) FROM their_verdicts WHERE their_verdicts.step = "
+    "their_steps.step AND verdict = 'undecided')";
 
 ObjectId read_object(const Statement& row, int column) {
   const std::int64_t value = row.integer(column);

@@ -51,8 +51,8 @@ Json as_json(const BenchGap& gap) {
 }
 
 std::string bench_heading() {
-  return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99   NATIVE  "
-         "ns an object and step\n" +
+  return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99   NATIVE  ns an "
+         "object and step\n" +
          std::string(66, ' ') + "                            FLOORS      PAIRS   MISSED    EXTRA  B/OBJECT";
 }
 

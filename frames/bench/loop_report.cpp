@@ -7,8 +7,8 @@
 namespace kerf {
 
 std::string loop_heading() {
-  return "SIMULATION     DIM OBJECTS BROAD PHASE              IN LOOP    ALONE  RATIO  SHARE OF STEP   "
-         "ns an object and step";
+  return "SIMULATION     DIM OBJECTS BROAD PHASE              IN LOOP    ALONE  RATIO  SHARE OF STEP   ns an "
+         "object and step";
 }
 
 std::string as_text(const LoopRow& row) {

@@ -75,8 +75,8 @@ StepRange asked_steps(const std::string& text, RecordingReader<D>& recording) {
   }
   if (steps == 0 || range.first >= range.last)
     throw UsageError(
-        "there is nothing to measure in one step: it takes two at least, the first of which "
-        "inserts the objects");
+        "there is nothing to measure in one step: it takes two at least, the first of which inserts the "
+        "objects");
   return range;
 }
 
@@ -167,8 +167,7 @@ AdviseCommand::AdviseCommand(CLI::App& program)
       "count\n"
       "\n"
       "Each broad phase gets the same boxes in a process of its own, a block of steps at a time in turn, and "
-      "has "
-      "to\nreport the complete pairs of each step. One that does not is named and never advised.");
+      "has to\nreport the complete pairs of each step. One that does not is named and never advised.");
 }
 
 void AdviseCommand::run() const {

@@ -42,11 +42,9 @@ std::string bench_footer() {
          "                         filter=1, grid=SIZE and shrink=1 (see "
          "core/broad_phase/approximation.h)\n\n"
          "Each algorithm is given the same boxes, in a process of its own, a block of steps at a time in "
-         "turn, "
-         "and\nhas to report the complete set of pairs in each step, which is compared with the truth. Of "
-         "each "
-         "step the\nleast of all rounds counts. FLOORS are multiples of the time that it takes to read all "
-         "boxes and write\nall pairs. Ctrl-C ends early and keeps what was measured.";
+         "turn, and\nhas to report the complete set of pairs in each step, which is compared with the truth. "
+         "Of each step the\nleast of all rounds counts. FLOORS are multiples of the time that it takes to "
+         "read all boxes and write\nall pairs. Ctrl-C ends early and keeps what was measured.";
 }
 
 void print(const std::string& line) {
@@ -248,10 +246,9 @@ BenchCommand::BenchCommand(CLI::App& program)
   command_->add_flag("--ablation", texts_.ablation,
                      "What each policy of the tuned tree earns: beside it, the tree without the policy, in "
                      "scenes or simulations");
-  command_->add_flag(
-      "--queries", texts_.queries,
-      "Instead of pairs: queries on the boxes of scenes (default uniform, settled and needles of 4250 "
-      "and 64000 objects), ours and other libraries'");
+  command_->add_flag("--queries", texts_.queries,
+                     "Instead of pairs: queries on the boxes of scenes (default uniform, settled and needles "
+                     "of 4250 and 64000 objects), ours and other libraries'");
   command_->add_flag("--trace", texts_.trace, "The JSON has the time of each step, too");
   command_->footer(bench_footer());
 }

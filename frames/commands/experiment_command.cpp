@@ -102,37 +102,32 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
   command_->add_flag(
       "--full", full_,
       "The paper's size, and enough runs: --steps 6000 --objects 4250 --seeds 3 --repeats 5 (hours)");
-  command_->add_flag(
-      "--related", related_,
-      "Instead: the related work of the paper's section 2 on the same simulations, and what the "
-      "paper says of it");
+  command_->add_flag("--related", related_,
+                     "Instead: the related work of the paper's section 2 on the same simulations, and what "
+                     "the paper says of it");
   option("--seed", seed_, "The first one of every random choice (default 1)", "S");
   output("--out", out_, "Folder (default out/experiment)", "DIR");
   option("--shard", shard_,
          "Only every N-th run, the K-th first, and no pages: on other machines with the same build of kerf, "
          "in one folder",
          "K/N");
-  command_->add_flag("--overwrite", overwrite_,
-                     "Replace an earlier page and its figures, and runs of another size or another build of "
-                     "kerf");
+  command_->add_flag(
+      "--overwrite", overwrite_,
+      "Replace an earlier page and its figures, and runs of another size or another build of kerf");
   command_->footer(
       "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and "
-      "DIR/experiment.md: figures 12 and 13, and of "
-      "each\n"
+      "DIR/experiment.md: figures 12 and 13, and of each\n"
       "        statement of the paper's sections 6.2 and 7 whether it holds here; DIR/figure-12 and "
-      "figure-13, as "
-      ".svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv (related-simulation-...), a line "
-      "for each step and broad "
-      "phase. "
-      "Ctrl-C keeps the runs that are done,\n        and the same command goes on from there.");
+      "figure-13, as .svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv "
+      "(related-simulation-...), a line for each step and broad phase. Ctrl-C keeps the runs that are "
+      "done,\n        and the same command goes on from there.");
 }
 
 void ExperimentCommand::run() const {
   if (full_ && !(steps_.empty() && objects_.empty() && seeds_.empty() && repeats_.empty()))
     throw UsageError(
         "--full says the steps, objects, seeds and repeats already; leave out --steps, --objects, --seeds "
-        "and "
-        "--repeats");
+        "and --repeats");
   ExperimentPlan plan = full_ ? kFullPlan : ExperimentPlan{};
   if (related_) plan.kind = RunKind::related;
   if (!steps_.empty()) plan.size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);

@@ -20,25 +20,22 @@ std::string names_of() {
 std::string render_footer() {
   std::string text =
       "LAYERS  " + layer_names() +
-      "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
-      "\nSTEPS   of imports as the other engine numbers them; dates, which have colons themselves: A..B..N"
-      "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
-      "\n        3D also top, front, side or iso: --camera iso,fov=20"
-      "\n        any part of it; what is left out is chosen so that what most objects span is seen, and the"
-      "\n        caption says how many lie outside. With 'all' everything is: --camera all or all,yaw=60"
-      "\nPATH    a key frame a line: a step and what is said of the camera from then on, 120 yaw=90,pitch=20"
-      "\n        between them it moves smoothly; what follows a # is a remark"
-      "\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size and "
-      "averaged"
-      "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
-      "\n        A folder that holds a sequence is refused unless --overwrite is given, which replaces that"
-      "\n        sequence, when the new one is complete, and nothing else. Ctrl-C keeps the finished frames"
-      "\n        and their manifest; the same command with --resume makes the rest."
-      "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
-      "parameters\n  3D  " +
+      "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend\nSTEPS   of imports as "
+      "the other engine numbers them; dates, which have colons themselves: A..B..N\nCAMERA  3D: "
+      "yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40\n        3D also top, "
+      "front, side or iso: --camera iso,fov=20\n        any part of it; what is left out is chosen so that "
+      "what most objects span is seen, and the\n        caption says how many lie outside. With 'all' "
+      "everything is: --camera all or all,yaw=60\nPATH    a key frame a line: a step and what is said of the "
+      "camera from then on, 120 yaw=90,pitch=20\n        between them it moves smoothly; what follows a # is "
+      "a remark\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size "
+      "and averaged\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame "
+      "shows.\n        A folder that holds a sequence is refused unless --overwrite is given, which replaces "
+      "that\n        sequence, when the new one is complete, and nothing else. Ctrl-C keeps the finished "
+      "frames\n        and their manifest; the same command with --resume makes the rest.\n\nBROAD PHASES "
+      "for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's parameters\n  3D  " +
       names_of<3>() + "\n  2D  " + names_of<2>() +
-      "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, 16-dop"
-      "\n\nPARAMETERS of the tree for --config, with the paper's values. kerf-paper in a scene that "
+      "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, "
+      "16-dop\n\nPARAMETERS of the tree for --config, with the paper's values. kerf-paper in a scene that "
       "needs no free\n           directions starts with free_directions=0, kerf with its own; frames.json "
       "says what was used:\n";
   for (const ConfigField& field : config_fields()) {

@@ -32,9 +32,8 @@ std::string report_footer() {
   }
   return text +
          "\nThe figures are kept beside the page, in a JSON file of its name. Ctrl-C keeps what was "
-         "measured, "
-         "and\nthe same command goes on from there. The page loads nothing from anywhere; its plots are "
-         "gnuplot's.";
+         "measured, and\nthe same command goes on from there. The page loads nothing from anywhere; its "
+         "plots are gnuplot's.";
 }
 
 /// Measures and shows the chosen sections.
@@ -57,8 +56,8 @@ class Report {
     const std::size_t made = measure();
     if (is_shard) {
       std::printf(
-          "%s made, kept in %s; when all shards are there, the same command without --shard writes "
-          "the page\n",
+          "%s made, kept in %s; when all shards are there, the same command without --shard writes the "
+          "page\n",
           counted(made, "measurement").c_str(), store_.file().c_str());
       return;
     }
@@ -110,18 +109,14 @@ class Report {
                   version());
     page.paragraph(
         "What a broad phase that is wrong on purpose gains, and what that does to pairs, contacts and "
-        "motion. "
-        "Exact is the default; every approximate mode is an explicit setting, written as kerf bench takes "
-        "it: "
-        "period (placed every so many steps), margin (boxes widened by so much), filter (kept pairs are held "
-        "against the latest boxes), grid (ends of boxes rounded to cells of that size), shrink (rounded "
-        "inward).");
+        "motion. Exact is the default; every approximate mode is an explicit setting, written as kerf bench "
+        "takes it: period (placed every so many steps), margin (boxes widened by so much), filter (kept "
+        "pairs are held against the latest boxes), grid (ends of boxes rounded to cells of that size), "
+        "shrink (rounded inward).");
     page.paragraph(
         "The time of a step is the least of all rounds, since other work on the machine only ever adds; "
-        "error "
-        "bars reach to the mean of the slowest round. Where runs have seeds, figures are medians, and bars "
-        "and "
-        "bands their quartiles. The pointer shows the values of a point.");
+        "error bars reach to the mean of the slowest round. Where runs have seeds, figures are medians, and "
+        "bars and bands their quartiles. The pointer shows the values of a point.");
     for (const Section* section : sections_) {
       page.section(section->name, section->title);
       section->write(request_, store_, page);

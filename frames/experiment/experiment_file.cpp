@@ -17,8 +17,7 @@ namespace {
 
 constexpr const char* kColumns =
     "step,moving,broad_phase,fps,pairs,candidates,collision_ms,overhead_ms,depth,leaves,operators,wrong,"
-    "contacts,"
-    "rest_ms";
+    "contacts,rest_ms";
 
 constexpr const char* kTitle = "# kerf experiment";
 

@@ -106,10 +106,9 @@ void ExperimentMaker::for_each(const std::function<void(const RunId&, Experiment
       throw std::runtime_error(run_path(folder_, run).string() + " is gone; the same command makes it");
     const std::vector<StepCounts> counts = counts_of(*steps);
     if (known.try_emplace({run.simulation, run.size.seed}, counts).first->second != counts)
-      throw std::runtime_error(
-          run_path(folder_, run).string() +
-          " has other pairs than the first repeat of its seed: another kerf has made one of "
-          "them; remove both, and the same command makes them");
+      throw std::runtime_error(run_path(folder_, run).string() +
+                               " has other pairs than the first repeat of its seed: another kerf has made "
+                               "one of them; remove both, and the same command makes them");
     visit(run, std::move(*steps));
   }
 }

@@ -24,11 +24,10 @@ void write_columns(Page& page, const std::array<std::vector<CurvePlot>, 2>& colu
   for (std::size_t row = 0; row < columns[0].size(); ++row)
     for (std::size_t side = 0; side < 2; ++side)
       svgs.push_back(draw(columns[side][row], name + std::to_string(side + 1) + "-" + std::to_string(row)));
-  page.figure_of_panels(
-      legend, svgs,
-      "Lines are medians of the steps around a point and of all runs, bands the spread over "
-      "the runs. The pointer shows values" +
-          last_words);
+  page.figure_of_panels(legend, svgs,
+                        "Lines are medians of the steps around a point and of all runs, bands the spread "
+                        "over the runs. The pointer shows values" +
+                            last_words);
 }
 
 void write_figure(Page& page, std::size_t left, const ExperimentRuns& runs) {
@@ -162,10 +161,9 @@ void write_wrong(Page& page, const ExperimentRuns& runs) {
 }  // namespace
 
 std::string experiment_page(const ExperimentPlan& plan, const ExperimentRuns& runs) {
-  Page page(
-      std::string(kExperimentTitle),
-      "Figures 12 and 13 of Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees, and what its "
-      "sections 6.2 and 7 say of them");
+  Page page(std::string(kExperimentTitle),
+            "Figures 12 and 13 of Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees, and what "
+            "its sections 6.2 and 7 say of them");
   for (const std::string& paragraph : method_words(plan)) page.paragraph(paragraph);
   page.command(plan.command());
   for (const std::size_t left : {std::size_t{0}, std::size_t{2}}) {

@@ -12,11 +12,10 @@ namespace kerf {
 namespace {
 
 void write_introduction(std::ostream& text, const ExperimentPlan& plan) {
-  text
-      << "# " << kExperimentTitle << "\n\nMade by `" << plan.command()
-      << "`: figures 12 and 13 of *Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees*, and what "
-         "its sections 6.2 and 7 say of them. [experiment.html](experiment.html) has curves that show their "
-         "values.\n\n";
+  text << "# " << kExperimentTitle << "\n\nMade by `" << plan.command()
+       << "`: figures 12 and 13 of *Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees*, and "
+          "what its sections 6.2 and 7 say of them. [experiment.html](experiment.html) has curves that show "
+          "their values.\n\n";
   for (const std::string& paragraph : method_words(plan)) text << paragraph << "\n\n";
   text << "![Figure 12](figure-12.svg)\n\n![Figure 13](figure-13.svg)\n";
 }
@@ -79,8 +78,7 @@ void write_readings(std::ostream& text, const ExperimentRuns& runs) {
     text << " |\n";
   }
   text << "\n| simulation | reading | leaves | depth | greatest change of depth in ten steps | leaves, "
-          "greatest "
-          "over least fifth | pairs to test | collision, ms | overhead, ms |\n"
+          "greatest over least fifth | pairs to test | collision, ms | overhead, ms |\n"
        << "|--:|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for (std::size_t k = 0; k < runs.size(); ++k)
     for (const Reading& reading : readings()) {

@@ -19,8 +19,8 @@ std::string run_words(const ExperimentPlan& plan) {
                      "; repeats follow one another.";
   if (plan.seeds < kEnoughSeeds || plan.repeats < kEnoughRepeats)
     text +=
-        " These are fewer than the three seeds and five repeats of kerf experiment --full: the spreads "
-        "are likely too narrow.";
+        " These are fewer than the three seeds and five repeats of kerf experiment --full: the spreads are "
+        "likely too narrow.";
   return text;
 }
 
@@ -30,46 +30,33 @@ std::vector<std::string> method_words(const ExperimentPlan& plan) {
   return {
       run_words(plan),
       "Each run is on ODE in a process of its own, with all broad phases side by side: in each step all are "
-      "given the same boxes, in "
-      "turns, and each is timed by itself. All have to report the same pairs, which is checked in each step. "
-      "So what the paper calls the number of pairs is here the number of pairs whose boxes a structure "
-      "leaves "
-      "to be compared, counted in each fifth step of the first repeat. Pairs of two fixed objects are among "
-      "them where a "
-      "structure "
-      "compares their boxes (BSP, LO) and not where it excludes them before (QT, SH, SP).",
+      "given the same boxes, in turns, and each is timed by itself. All have to report the same pairs, which "
+      "is checked in each step. So what the paper calls the number of pairs is here the number of pairs "
+      "whose boxes a structure leaves to be compared, counted in each fifth step of the first repeat. Pairs "
+      "of two fixed objects are among them where a structure compares their boxes (BSP, LO) and not where it "
+      "excludes them before (QT, SH, SP).",
       "Overhead is the taking over of boxes and all that brings a structure up to date; collision time is "
       "the search for pairs. SP finds its overlaps while it orders its lists, which is overhead here. Frames "
-      "a second count the narrow phase and the dynamics, too, with one broad "
-      "phase alone in the loop; they are one over the mean time of a frame. Times are of the processor. A "
-      "figure "
-      "is the mean of the medians of each "
-      "twenty steps of a run; behind it stands its spread over the runs, without the tenth of them at either "
-      "end. Counts do not change from repeat to repeat, so they have a sample for each seed only.",
+      "a second count the narrow phase and the dynamics, too, with one broad phase alone in the loop; they "
+      "are one over the mean time of a frame. Times are of the processor. A figure is the mean of the "
+      "medians of each twenty steps of a run; behind it stands its spread over the runs, without the tenth "
+      "of them at either end. Counts do not change from repeat to repeat, so they have a sample for each "
+      "seed only.",
       "BSP is the paper's tree with the paper's parameters (kerf-paper), tuned BSP is kerf as it is. QT and "
-      "SH "
-      "are ODE's quadtree and hash space: the quadtree divides the XZ plane as in the paper (ODE 0.16 "
-      "divides "
-      "X and Y, so that it is given boxes with Y and Z exchanged). LO is our loose octree, SP our "
+      "SH are ODE's quadtree and hash space: the quadtree divides the XZ plane as in the paper (ODE 0.16 "
+      "divides X and Y, so that it is given boxes with Y and Z exchanged). LO is our loose octree, SP our "
       "sweep-and-prune, ODE SAP is ODE's later space. The number of objects grows in simulations 1 and 4."};
 }
 
 std::string verdict_words() {
   return "Each statement is judged in the measure that the paper means; where SP's collision time or "
-         "overhead "
-         "is one of the figures, the verdict depends on where its search is counted. Figures are compared "
-         "run "
-         "by run. "
-         "Similar "
-         "and small mean up to a factor of " +
+         "overhead is one of the figures, the verdict depends on where its search is counted. Figures are "
+         "compared run by run. Similar and small mean up to a factor of " +
          short_number(kTolerance) +
          ", much, big and substantial mean more; figures within 2 % are alike. Partly: half of its "
-         "comparisons or "
-         "more are as the paper says, or it is true in kind and not in degree. Opposite: most are the other "
-         "way "
-         "round. What the spread leaves open cannot be judged, nor can what names no figure. Better and "
-         "worse say "
-         "how ours (BSP, or else LO or SP) stand beside the paper's words.";
+         "comparisons or more are as the paper says, or it is true in kind and not in degree. Opposite: most "
+         "are the other way round. What the spread leaves open cannot be judged, nor can what names no "
+         "figure. Better and worse say how ours (BSP, or else LO or SP) stand beside the paper's words.";
 }
 
 std::vector<std::string> wrong_words(const ExperimentRuns& runs) {

@@ -9,10 +9,9 @@ namespace {
 constexpr std::array<Reading, 8> kReadings{
     {{"kerf-paper", "kerf-paper as it is",
       "\"2.5% increase on the number of objects\": of the node's own. 4.5, a swap is fast \"since this "
-      "subtree "
-      "is nearly empty\": only nodes are swapped of which one side has at most a tenth of the other's "
-      "objects. "
-      "Thresholds are the root of the scene's objects, from 16 to 128; candidates are judged on 256 objects"},
+      "subtree is nearly empty\": only nodes are swapped of which one side has at most a tenth of the "
+      "other's objects. Thresholds are the root of the scene's objects, from 16 to 128; candidates are "
+      "judged on 256 objects"},
      {"kerf-paper:swap_share=1", "swap at once",
       "5.2, \"performed when balancing fails\": whatever both sides have"},
      {"kerf-paper:swap_share=1:swap_rest=10", "swap at once, then rest",

@@ -102,8 +102,7 @@ std::string related_page(const ExperimentPlan& plan, const RelatedRuns& runs) {
       "Each is built as its source says, on boxes; where the source leaves things open, the comment of its "
       "header says how it was read. A sentence holds if it does in every run. All get the same boxes in each "
       "step, in turns, and all have to report the same pairs. Times are of the processor; a run has a "
-      "process "
-      "of its own.");
+      "process of its own.");
   write_verdicts(page, runs);
   page.section("figures", "Figures over time");
   for (std::size_t k = 0; k < runs.size(); ++k) write_simulation(page, simulations()[k], runs[k], plan.size);

@@ -220,8 +220,8 @@ std::string_view BoxLines::judged_bound(std::size_t column) const {
   const bool is_no_bound = text == "9223372036854775807" || text == "18446744073709551615";
   if (text.size() > 15 && !is_no_bound && !may_be_of_double(text, table_.real(column)))
     table_.reject(column,
-                  "is no double, so that no pair can be judged by it; write 15 digits (%.15g), or "
-                  "whole numbers below 2^53");
+                  "is no double, so that no pair can be judged by it; write 15 digits (%.15g), or whole "
+                  "numbers below 2^53");
   return text;
 }
 

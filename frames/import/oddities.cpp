@@ -35,10 +35,9 @@ constexpr std::array kMeanings{
     Meaning{"table", "tables", " whose last line does not end: is the file cut off?"},
     Meaning{"pair", "pairs",
             " that may touch only in the digits that were written: write 9 digits, and 17 of doubles"},
-    Meaning{
-        "table is", "tables are",
-        " so coarse that an object may be outside of its node by its last digit: write 9 digits, and 17 of "
-        "doubles"},
+    Meaning{"table is", "tables are",
+            " so coarse that an object may be outside of its node by its last digit: write 9 digits, and 17 "
+            "of doubles"},
 };
 
 }  // namespace

@@ -78,14 +78,12 @@ void bind_results(py::class_<PythonBroadPhase>& type) {
   using Subject = PythonBroadPhase;
   type.def_property_readonly("pairs", &Subject::pairs,
                              "The pairs of the last step: (m, 2) uint32, read-only.")
-      .def_property_readonly(
-          "begun", &Subject::begun,
-          "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
-          "uint32. Raises RuntimeError without changes=True.")
-      .def_property_readonly(
-          "ended", &Subject::ended,
-          "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
-          "uint32. Raises RuntimeError without changes=True.")
+      .def_property_readonly("begun", &Subject::begun,
+                             "Pairs of the last step that the one before did not have, in ascending order: "
+                             "(m, 2) uint32. Raises RuntimeError without changes=True.")
+      .def_property_readonly("ended", &Subject::ended,
+                             "Pairs of the step before that the last one does not have, in ascending order: "
+                             "(m, 2) uint32. Raises RuntimeError without changes=True.")
       .def_property_readonly(
           "ids", &Subject::ids,
           "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")
@@ -95,8 +93,8 @@ void bind_results(py::class_<PythonBroadPhase>& type) {
                              "Which objects are fixed, in the order of .ids: (n,) bool.")
       .def_property_readonly(
           "statistics", &Subject::statistics,
-          "The tree after the last step: objects, leaves, height, entries, redundancy, operators "
-          "since the beginning, and the seconds of each phase of the last step.");
+          "The tree after the last step: objects, leaves, height, entries, redundancy, operators since the "
+          "beginning, and the seconds of each phase of the last step.");
 }
 
 }  // namespace

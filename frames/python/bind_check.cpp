@@ -119,15 +119,13 @@ void bind_check(py::module_& module) {
             return py::make_tuple(f.all.missed.size(), f.all.invented.size(), f.all.doubled.size());
           },
           "How many were missed, invented and doubled in that step of the boxes given.")
-      .def_readonly(
-          "repeats", &CheckFailure::repeats,
-          "False: the same boxes did not give wrong pairs when they were tried again, so there is no "
-          "smaller scene.")
-      .def_readonly(
-          "raised", &CheckFailure::raised,
-          "What the function did instead of returning pairs without one of these boxes or steps, as "
-          "'IndexError: ...': a list of str, each once. Empty: it was right each time, or it was not "
-          "tried (shrink=False). Where .repeats is False: with the same boxes.")
+      .def_readonly("repeats", &CheckFailure::repeats,
+                    "False: the same boxes did not give wrong pairs when they were tried again, so there is "
+                    "no smaller scene.")
+      .def_readonly("raised", &CheckFailure::raised,
+                    "What the function did instead of returning pairs without one of these boxes or steps, "
+                    "as 'IndexError: ...': a list of str, each once. Empty: it was right each time, or it "
+                    "was not tried (shrink=False). Where .repeats is False: with the same boxes.")
       .def_readonly("calls", &CheckFailure::calls, "How often the function was called.")
       .def_property_readonly("text", &CheckFailure::text)
       .def("__str__", &CheckFailure::text)

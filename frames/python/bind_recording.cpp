@@ -190,10 +190,10 @@ std::optional<std::uint32_t> step_of(const std::optional<Difference>& difference
 
 void bind_comparison(py::module_& module) {
   using Comparison = RecordingComparison;
-  py::class_<Comparison>(module, "Comparison",
-                         "Where two recordings first differ: each member is a step (int), or None; but same, "
-                         "object_names,\n"
-                         "one_unfinished and both_unfinished are bool, and declared is a list of str.")
+  py::class_<Comparison>(
+      module, "Comparison",
+      "Where two recordings first differ: each member is a step (int), or None; but same, object_names,\n"
+      "one_unfinished and both_unfinished are bool, and declared is a list of str.")
       .def("__reduce__", refuse_pickling("Comparison", kTakeValues))
       .def_property_readonly("same", &Comparison::same,
                              "bool: nothing differs; of two that are unfinished, as far as they go.")
@@ -220,10 +220,9 @@ void bind_comparison(py::module_& module) {
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
       .def_readonly("object_names", &Comparison::object_names,
                     "bool: objects have other names, labels or colours.")
-      .def_readonly(
-          "declared", &Comparison::declared,
-          "list of str: what was declared, rounded or decided otherwise (margin, pairs to be ignored, "
-          "digits, decisions, scene), a line each.")
+      .def_readonly("declared", &Comparison::declared,
+                    "list of str: what was declared, rounded or decided otherwise (margin, pairs to be "
+                    "ignored, digits, decisions, scene), a line each.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });
@@ -265,11 +264,10 @@ void bind_contents(py::class_<Opened>& type) {
                              "What the other engine calls object 0, 1, ...; empty: their own numbers.")
       .def_property_readonly("step_names", &step_names,
                              "What the other engine calls step 1, 2, ...; empty: their own numbers.")
-      .def_property_readonly(
-          "rows", &Opened::rows,
-          "One row for each step: a structured array with step, objects, changed, pairs, events, "
-          "leaves, height, entries, redundancy, placed, refused, deferred, seconds (of the broad "
-          "phase), first_event, state_hash, pairs_hash.")
+      .def_property_readonly("rows", &Opened::rows,
+                             "One row for each step: a structured array with step, objects, changed, pairs, "
+                             "events, leaves, height, entries, redundancy, placed, refused, deferred, "
+                             "seconds (of the broad phase), first_event, state_hash, pairs_hash.")
       .def("events", &events, py::arg("first") = py::none(), py::arg("last") = py::none(),
            "The events of a step, of the steps first to last, or of all: a structured array.\n\n"
            "kind, op, reason and phase are kerf.EventKind, Operator, Refusal and Phase; -1 (NaN) stands for "

@@ -66,11 +66,10 @@ void bind_requests(py::class_<PythonWorld>& type) {
            "Moves every object by the vector (d,), as float32 rounds: for a floating origin. The tree comes "
            "along.\n"
            "Raises ValueError if the vector is not finite.")
-      .def(
-          "remove", &PythonWorld::remove, py::arg("handles"),
-          "Removes objects, (n,) uint64. Their pairs end in the next step; their handles name nothing from\n"
-          "now on. Raises ValueError for a handle that names no object or comes twice; then nothing has been "
-          "removed.")
+      .def("remove", &PythonWorld::remove, py::arg("handles"),
+           "Removes objects, (n,) uint64. Their pairs end in the next step; their handles name nothing from\n"
+           "now on. Raises ValueError for a handle that names no object or comes twice; then nothing has "
+           "been removed.")
       .def(
           "set",
           [](PythonWorld& world, Objects handles, Objects kind, Objects category, Objects mask, Objects group,

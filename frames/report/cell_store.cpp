@@ -78,10 +78,9 @@ void CellStore::read(const std::filesystem::path& file, bool forget) {
   if (kept["owner"] == owner()) {
     results_.update(kept["cells"]);
   } else if (!forget) {
-    throw UsageError(
-        file.string() +
-        " holds figures of another machine or another build of kerf; choose another name with --out, or "
-        "measure anew with --overwrite");
+    throw UsageError(file.string() +
+                     " holds figures of another machine or another build of kerf; choose another name with "
+                     "--out, or measure anew with --overwrite");
   }
 }
 

@@ -196,8 +196,8 @@ void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) 
   request.shard = parse_shard(texts.shard);
   if (!texts.video.empty() || !texts.contact_sheet.empty())
     throw UsageError(
-        "a shard has not all frames that a film or a contact sheet needs; give --video and "
-        "--contact-sheet to `kerf collect`");
+        "a shard has not all frames that a film or a contact sheet needs; give --video and --contact-sheet "
+        "to `kerf collect`");
   if (texts.out.empty())
     request.out +=
         "." + std::to_string(request.shard.index + 1) + "-of-" + std::to_string(request.shard.count);

@@ -14,8 +14,8 @@ namespace {
 
 [[noreturn]] void fail_egl(const std::string& what) {
   throw std::runtime_error("EGL: " + what +
-                           "; draw with --backend osmesa, or install Mesa's EGL (on Debian: "
-                           "apt-get install libegl1 libegl-mesa0)");
+                           "; draw with --backend osmesa, or install Mesa's EGL (on Debian: apt-get install "
+                           "libegl1 libegl-mesa0)");
 }
 
 /// libEGL, loaded for the rest of the process: its drivers do not survive unloading. It is not linked, so

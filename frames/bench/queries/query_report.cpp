@@ -33,8 +33,8 @@ Json as_json(const QueryRow& row) {
 }  // namespace
 
 std::string query_heading() {
-  return "SCENE          DIM OBJECTS QUERY         FOUND   FASTEST    EMBREE  times as long as kerf "
-         "(the fastest of the others, Embree); then ns a query (build, move: an object)";
+  return "SCENE          DIM OBJECTS QUERY         FOUND   FASTEST    EMBREE  times as long as kerf (the "
+         "fastest of the others, Embree); then ns a query (build, move: an object)";
 }
 
 std::string as_text(const QueryRow& row) {

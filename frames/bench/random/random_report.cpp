@@ -88,8 +88,8 @@ std::string repeat_command(const BenchRequest& request, const RandomScene& scene
 }
 
 std::string random_heading() {
-  return "SCENE DIM OBJECTS  PAIRS/OBJ     KERF  BEST OTHER                     RATIO  (ROUNDS)       "
-         "ns an object and step";
+  return "SCENE DIM OBJECTS  PAIRS/OBJ     KERF  BEST OTHER                     RATIO  (ROUNDS)       ns an "
+         "object and step";
 }
 
 std::string as_text(const RandomOutcome& outcome) {
@@ -117,8 +117,7 @@ std::string random_summary(const BenchRequest& request, const std::vector<Random
       std::ranges::count_if(found, [](const Judged& each) { return each.duel.ratio.median < kSlower; });
   text += printed(
       "\n%zu scenes: the fastest other over the tree, geometric mean %.2f, least %.2f; %d slower by more "
-      "than "
-      "5 %%\n\n",
+      "than 5 %%\n\n",
       found.size(), std::exp(logarithms / static_cast<double>(found.size())), found.front().duel.ratio.median,
       static_cast<int>(slower));
   text += histogram(found) + "\nTHE WORST\n";

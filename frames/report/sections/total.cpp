@@ -115,12 +115,11 @@ void write_scene(const SceneCell& scene, const CellStore& store, Page& page) {
   page.figure(draw(plot_of(rows, kMissed, name + ": time of both phases against missed contacts"),
                    "total-missed-" + id),
               scene.cell.key + ". Lower left is better; a ring marks the Pareto front.");
-  page.figure(
-      draw(
-          plot_of(without_missed(rows), kCandidates, name + ": time of both phases against candidates", rows),
-          "total-candidates-" + id),
-      "Those of the same runs that missed no contact. Where fewer candidates pay, what is farther left is "
-      "lower.");
+  page.figure(draw(plot_of(without_missed(rows), kCandidates,
+                           name + ": time of both phases against candidates", rows),
+                   "total-candidates-" + id),
+              "Those of the same runs that missed no contact. Where fewer candidates pay, what is farther "
+              "left is lower.");
   page.table("all settings of these plots", kColumns, rows, front_of(rows, kMissed));
 }
 

@@ -140,10 +140,10 @@ void draw_ballot(PanelContext& context) {
   const auto& ballot = model.run().ballot();
   if (ballot.empty()) {
     model.hovered_candidate.reset();
-    ImGui::TextWrapped("%s",
-                       "An operator that places a partitioner chooses among candidates. Go to a split, a "
-                       "shift-split or a balance "
-                       "in the list of events: here they all stand, with the reason why each was refused.");
+    ImGui::TextWrapped(
+        "%s",
+        "An operator that places a partitioner chooses among candidates. Go to a split, a shift-split or a "
+        "balance in the list of events: here they all stand, with the reason why each was refused.");
     return;
   }
   if (context.memory.ballot_of != model.run().position()) context.memory.kept_candidate.reset();

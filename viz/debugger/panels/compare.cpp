@@ -112,10 +112,9 @@ std::vector<ComparedFigure> compared_figures(const RecordingComparison& comparis
 void draw_compare(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (model.other() == nullptr) {
-    ImGui::TextWrapped(
-        "%s",
-        "Two recordings side by side: the other one goes where this one goes, and its curves lie over these. "
-        "\"What if\" makes one, or open one:");
+    ImGui::TextWrapped("%s",
+                       "Two recordings side by side: the other one goes where this one goes, and its curves "
+                       "lie over these. \"What if\" makes one, or open one:");
     if (widgets::text_field(context.gui, "other file", context.memory.other_file, "a recording, then Enter",
                             -1))
       open_other(context);

@@ -34,28 +34,23 @@ void select_a_pair(PanelContext& context) {
 constexpr std::array<TourStop, 7> kStops{
     {{"The scene",
       "Objects are coloured as the leaves that hold them, blue planes divide the space, lines are pairs. "
-      "Drag to "
-      "turn it, the wheel goes nearer, and the mouse over something says what it is.",
+      "Drag to turn it, the wheel goes nearer, and the mouse over something says what it is.",
       "panel view", [](PanelContext& context) { context.model.go_to_opening(); }},
      {"Time",
       "A lane for each figure of the run: drag to go there, the wheel magnifies. A click on a maximum at the "
-      "right "
-      "goes to it.",
+      "right goes to it.",
       "panel timeline", [](PanelContext& context) { context.model.go_to_opening(); }},
      {"The tree",
       "A bar is a node, as wide as it has objects; below it lie its children. The root is selected: its "
-      "plane is "
-      "marked in the scene, and its life in the lowest lane.",
+      "plane is marked in the scene, and its life in the lowest lane.",
       "panel icicle", select_root},
      {"An operator",
       "The first split: a leaf had too many objects. `.` and `,` go from operator to operator, and the list "
-      "has all "
-      "events of the step.",
+      "has all events of the step.",
       "panel events", go_to_a_split},
      {"The choice",
       "Each row is a plane that could have been taken, with the figures by which it was judged. Press one, "
-      "and the "
-      "scene shows it.",
+      "and the scene shows it.",
       "panel ballot",
       [](PanelContext& context) {
         go_to_a_split(context);
@@ -67,8 +62,7 @@ constexpr std::array<TourStop, 7> kStops{
       "panel why", select_a_pair},
      {"Stop when",
       "Type a condition, for example `op==merge && depth>2` or `pairs>100`, and press F5: the run stops "
-      "where it "
-      "holds. Shift+F5 searches backwards. F1 has all keys.",
+      "where it holds. Shift+F5 searches backwards. F1 has all keys.",
       "panel breakpoints", [](PanelContext& context) { context.model.select({}); }}}};
 
 /// What the first stop says in 2D, where the areas of the leaves are coloured and a drag does not turn.
