@@ -196,8 +196,6 @@ void AdviseCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_advise_command(CLI::App& program) {
-  return std::make_unique<AdviseCommand>(program);
-}
+AnyCommand make_advise_command(CLI::App& program) { return std::make_unique<AdviseCommand>(program); }
 
 }  // namespace kerf

@@ -262,8 +262,6 @@ void BenchCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_bench_command(CLI::App& program) {
-  return std::make_unique<BenchCommand>(program);
-}
+AnyCommand make_bench_command(CLI::App& program) { return std::make_unique<BenchCommand>(program); }
 
 }  // namespace kerf

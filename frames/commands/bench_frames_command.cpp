@@ -210,7 +210,7 @@ void BenchFramesCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_bench_frames_command(CLI::App& program) {
+AnyCommand make_bench_frames_command(CLI::App& program) {
   return std::make_unique<BenchFramesCommand>(program);
 }
 

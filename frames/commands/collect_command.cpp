@@ -98,8 +98,6 @@ void CollectCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_collect_command(CLI::App& program) {
-  return std::make_unique<CollectCommand>(program);
-}
+AnyCommand make_collect_command(CLI::App& program) { return std::make_unique<CollectCommand>(program); }
 
 }  // namespace kerf

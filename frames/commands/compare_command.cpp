@@ -202,8 +202,6 @@ void CompareCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_compare_command(CLI::App& program) {
-  return std::make_unique<CompareCommand>(program);
-}
+AnyCommand make_compare_command(CLI::App& program) { return std::make_unique<CompareCommand>(program); }
 
 }  // namespace kerf

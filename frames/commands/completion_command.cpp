@@ -29,8 +29,6 @@ void CompletionCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_completion_command(CLI::App& program) {
-  return std::make_unique<CompletionCommand>(program);
-}
+AnyCommand make_completion_command(CLI::App& program) { return std::make_unique<CompletionCommand>(program); }
 
 }  // namespace kerf

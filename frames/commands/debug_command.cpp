@@ -321,8 +321,6 @@ void DebugCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_debug_command(CLI::App& program) {
-  return std::make_unique<DebugCommand>(program);
-}
+AnyCommand make_debug_command(CLI::App& program) { return std::make_unique<DebugCommand>(program); }
 
 }  // namespace kerf

@@ -141,8 +141,6 @@ void DiffCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_diff_command(CLI::App& program) {
-  return std::make_unique<DiffCommand>(program);
-}
+AnyCommand make_diff_command(CLI::App& program) { return std::make_unique<DiffCommand>(program); }
 
 }  // namespace kerf

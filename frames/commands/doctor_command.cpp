@@ -146,8 +146,6 @@ void DoctorCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_doctor_command(CLI::App& program) {
-  return std::make_unique<DoctorCommand>(program);
-}
+AnyCommand make_doctor_command(CLI::App& program) { return std::make_unique<DoctorCommand>(program); }
 
 }  // namespace kerf

@@ -162,8 +162,6 @@ void ExperimentCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_experiment_command(CLI::App& program) {
-  return std::make_unique<ExperimentCommand>(program);
-}
+AnyCommand make_experiment_command(CLI::App& program) { return std::make_unique<ExperimentCommand>(program); }
 
 }  // namespace kerf

@@ -150,8 +150,6 @@ void ExplainCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_explain_command(CLI::App& program) {
-  return std::make_unique<ExplainCommand>(program);
-}
+AnyCommand make_explain_command(CLI::App& program) { return std::make_unique<ExplainCommand>(program); }
 
 }  // namespace kerf

@@ -80,8 +80,6 @@ void ExportCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_export_command(CLI::App& program) {
-  return std::make_unique<ExportCommand>(program);
-}
+AnyCommand make_export_command(CLI::App& program) { return std::make_unique<ExportCommand>(program); }
 
 }  // namespace kerf

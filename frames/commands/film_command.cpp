@@ -51,8 +51,6 @@ void FilmCommand::run() const { make_story(parse_story_request(texts_)); }
 
 }  // namespace
 
-std::unique_ptr<Command> make_film_command(CLI::App& program) {
-  return std::make_unique<FilmCommand>(program);
-}
+AnyCommand make_film_command(CLI::App& program) { return std::make_unique<FilmCommand>(program); }
 
 }  // namespace kerf

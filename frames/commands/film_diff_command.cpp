@@ -143,8 +143,6 @@ void FilmDiffCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_film_diff_command(CLI::App& program) {
-  return std::make_unique<FilmDiffCommand>(program);
-}
+AnyCommand make_film_diff_command(CLI::App& program) { return std::make_unique<FilmDiffCommand>(program); }
 
 }  // namespace kerf

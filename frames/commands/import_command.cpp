@@ -108,8 +108,6 @@ void ImportCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_import_command(CLI::App& program) {
-  return std::make_unique<ImportCommand>(program);
-}
+AnyCommand make_import_command(CLI::App& program) { return std::make_unique<ImportCommand>(program); }
 
 }  // namespace kerf

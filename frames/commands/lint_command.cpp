@@ -120,8 +120,6 @@ std::size_t LintCommand::lint_structure() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_lint_command(CLI::App& program) {
-  return std::make_unique<LintCommand>(program);
-}
+AnyCommand make_lint_command(CLI::App& program) { return std::make_unique<LintCommand>(program); }
 
 }  // namespace kerf

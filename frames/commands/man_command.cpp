@@ -19,6 +19,6 @@ void ManCommand::run() const { std::fputs(manual(*command_->get_parent()).c_str(
 
 }  // namespace
 
-std::unique_ptr<Command> make_man_command(CLI::App& program) { return std::make_unique<ManCommand>(program); }
+AnyCommand make_man_command(CLI::App& program) { return std::make_unique<ManCommand>(program); }
 
 }  // namespace kerf

@@ -170,8 +170,6 @@ void MinimizeCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_minimize_command(CLI::App& program) {
-  return std::make_unique<MinimizeCommand>(program);
-}
+AnyCommand make_minimize_command(CLI::App& program) { return std::make_unique<MinimizeCommand>(program); }
 
 }  // namespace kerf

@@ -45,8 +45,6 @@ void RecordCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_record_command(CLI::App& program) {
-  return std::make_unique<RecordCommand>(program);
-}
+AnyCommand make_record_command(CLI::App& program) { return std::make_unique<RecordCommand>(program); }
 
 }  // namespace kerf

@@ -105,8 +105,6 @@ void RenderCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_render_command(CLI::App& program) {
-  return std::make_unique<RenderCommand>(program);
-}
+AnyCommand make_render_command(CLI::App& program) { return std::make_unique<RenderCommand>(program); }
 
 }  // namespace kerf

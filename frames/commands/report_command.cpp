@@ -176,8 +176,6 @@ void ReportCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_report_command(CLI::App& program) {
-  return std::make_unique<ReportCommand>(program);
-}
+AnyCommand make_report_command(CLI::App& program) { return std::make_unique<ReportCommand>(program); }
 
 }  // namespace kerf

@@ -135,8 +135,6 @@ void RerunCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_rerun_command(CLI::App& program) {
-  return std::make_unique<RerunCommand>(program);
-}
+AnyCommand make_rerun_command(CLI::App& program) { return std::make_unique<RerunCommand>(program); }
 
 }  // namespace kerf

@@ -103,8 +103,6 @@ void ScenesCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_scenes_command(CLI::App& program) {
-  return std::make_unique<ScenesCommand>(program);
-}
+AnyCommand make_scenes_command(CLI::App& program) { return std::make_unique<ScenesCommand>(program); }
 
 }  // namespace kerf

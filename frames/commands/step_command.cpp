@@ -156,8 +156,6 @@ void StepCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_step_command(CLI::App& program) {
-  return std::make_unique<StepCommand>(program);
-}
+AnyCommand make_step_command(CLI::App& program) { return std::make_unique<StepCommand>(program); }
 
 }  // namespace kerf

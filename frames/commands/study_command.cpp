@@ -195,8 +195,6 @@ void StudyCommand::join_shards(const Study& study) const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_study_command(CLI::App& program) {
-  return std::make_unique<StudyCommand>(program);
-}
+AnyCommand make_study_command(CLI::App& program) { return std::make_unique<StudyCommand>(program); }
 
 }  // namespace kerf

@@ -92,8 +92,6 @@ void VerifyCommand::run() const {
 
 }  // namespace
 
-std::unique_ptr<Command> make_verify_command(CLI::App& program) {
-  return std::make_unique<VerifyCommand>(program);
-}
+AnyCommand make_verify_command(CLI::App& program) { return std::make_unique<VerifyCommand>(program); }
 
 }  // namespace kerf
