@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/recording/recording_info.h"
 #include "frames/commands/command.h"
 #include "frames/page/gnuplot.h"
 #include "frames/study/join.h"
@@ -15,7 +16,6 @@
 #include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
 #include "frames/support/errors.h"
-#include "frames/support/hex.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/scratch_folder.h"
 #include "frames/support/shard.h"
@@ -186,7 +186,7 @@ void StudyCommand::join_shards(const Study& study) const {
   for (const auto& sequence : gather_frames(joined, folder, overwrite_))
     std::printf("%s: all frames\n", sequence.c_str());
   std::printf("%s: %zu of %zu cells, counts %s\n", folder.c_str(), joined.cells.size(), study.cells.size(),
-              hex(counts_hash(joined)).c_str());
+              to_hex(counts_hash(joined)).c_str());
   if (joined.doubles > 0) std::printf("%zu are there more than once, with equal counts\n", joined.doubles);
   if (joined.strangers > 0) std::printf("%zu files are of no cell of the study\n", joined.strangers);
   const std::string missing = describe_missing(study, joined);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/files/whole_file.h"
+#include "core/recording/recording_info.h"
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
-#include "frames/support/hex.h"
 #include "frames/support/json_number.h"
 
 namespace kerf {
@@ -68,8 +68,8 @@ Json frame_json(const FrameRecord& frame, bool knows_contacts) {
                    {"entries", frame.entries},
                    {"operators", operators},
                    {"events", frame.events},
-                   {"state_hash", hex(frame.state_hash)},
-                   {"pixel_hash", hex(frame.pixel_hash)}});
+                   {"state_hash", to_hex(frame.state_hash)},
+                   {"pixel_hash", to_hex(frame.pixel_hash)}});
   return json;
 }
 
@@ -108,7 +108,7 @@ Json origin_json(const RenderRequest& request) {
                {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
   if (request.recording) {
     json["recording"] = {{"steps", request.recording->steps},
-                         {"last_state_hash", hex(request.recording->last_state_hash)}};
+                         {"last_state_hash", to_hex(request.recording->last_state_hash)}};
   } else {
     json["needs"] = std::visit([](const auto* entry) { return describe(entry->needs); }, request.scene.entry);
   }

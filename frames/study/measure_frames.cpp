@@ -1,9 +1,9 @@
 #include <chrono>
 
 #include "core/recording/chain.h"
+#include "core/recording/recording_info.h"
 #include "frames/sequence/sequence.h"
 #include "frames/study/measure.h"
-#include "frames/support/hex.h"
 
 namespace kerf {
 
@@ -21,7 +21,7 @@ Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Rep
 Json counts_of(const Manifest& manifest) {
   std::uint64_t hash = 0;
   for (const FrameRecord& frame : manifest.frames) hash = hash_words({&frame.pixel_hash, 1}, hash);
-  return {{"frames", manifest.frames.size()}, {"pixels_hash", hex(hash)}};
+  return {{"frames", manifest.frames.size()}, {"pixels_hash", to_hex(hash)}};
 }
 
 }  // namespace kerf

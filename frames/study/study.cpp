@@ -6,10 +6,10 @@
 #include <set>
 
 #include "core/recording/chain.h"
+#include "core/recording/recording_info.h"
 #include "frames/study/json_object.h"
 #include "frames/study/matrix.h"
 #include "frames/support/errors.h"
-#include "frames/support/hex.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +35,7 @@ std::string cell_id(const std::string& words, const Json& settings) {
       id, [](char c) { return !is_plain(c); }, '-');
   const std::string text = settings.dump();
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  return id + "." + hex(hash_bytes({bytes, text.size()}, 0)).substr(0, kDigits);
+  return id + "." + to_hex(hash_bytes({bytes, text.size()}, 0)).substr(0, kDigits);
 }
 
 Study read_study(const std::string& file) {
