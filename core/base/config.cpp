@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include <variant>
 
 #include "core/base/assignments.h"
+#include "core/base/number_text.h"
 
 namespace kerf {
 namespace {
@@ -96,15 +96,11 @@ std::string whole_number(double x) {
   return std::to_string(static_cast<std::uint64_t>(x));
 }
 
-std::string number(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
 /// `Value`: the type of the parameter.
 template <class Value>
 [[noreturn]] void reject(const ConfigField& field, std::string_view text) {
-  std::string expected = " is not a number from " + number(field.minimum) + " to " + number(field.maximum);
+  std::string expected =
+      " is not a number from " + exact_number(field.minimum) + " to " + exact_number(field.maximum);
   if constexpr (std::is_same_v<Value, bool>)
     expected = " is neither 0 nor 1";
   else if constexpr (std::is_integral_v<Value>)
@@ -116,21 +112,18 @@ template <class Value>
 
 /// A number that is 0 as a float, though it is none.
 bool vanishes(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && value != 0 &&
-         std::abs(value) < static_cast<double>(std::numeric_limits<float>::min());
+  const double value = read_number<double>(text).value_or(0);
+  return value != 0 && std::abs(value) < static_cast<double>(std::numeric_limits<float>::min());
 }
 
 template <class T>
 T parse(const ConfigField& field, std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (std::is_same_v<T, float> && value == 0 && vanishes(text))
+  const auto value = read_number<T>(text);
+  if (std::is_same_v<T, float> && value.value_or(0) == 0 && vanishes(text))
     throw std::invalid_argument("parameter " + std::string(field.name) + ": '" + std::string(text) +
                                 "' is too small for a float; 0 is the nearest");
-  if (error != std::errc{} || end != text.data() + text.size()) reject<T>(field, text);
-  return value;
+  if (!value) reject<T>(field, text);
+  return *value;
 }
 
 bool parse_bool(const ConfigField& field, std::string_view text) {
@@ -139,19 +132,13 @@ bool parse_bool(const ConfigField& field, std::string_view text) {
   reject<bool>(field, text);
 }
 
-template <class T>
-std::string format(T value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 std::string value_text(const Config& config, const Parameter& parameter) {
   return std::visit(
       [&](auto member) -> std::string {
         if constexpr (std::is_same_v<decltype(member), bool Config::*>)
           return config.*member ? "1" : "0";
         else
-          return format(config.*member);
+          return exact_number(config.*member);
       },
       parameter.member);
 }

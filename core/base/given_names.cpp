@@ -1,31 +1,23 @@
 #include "core/base/given_names.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/number_text.h"
+
 namespace kerf {
 namespace {
-
-template <class Number>
-std::optional<Number> parse_whole(std::string_view text) {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return number;
-}
 
 /// The parts of a text of fixed columns, such as "12:30:05".
 std::optional<int> digits(std::string_view text, std::size_t at, std::size_t count) {
   if (text.size() < at + count) return std::nullopt;
   const std::string_view part = text.substr(at, count);
   if (part.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
-  return parse_whole<int>(part);
+  return read_number<int>(part);
 }
 
 /// "YYYY-MM-DD", then "T" or a space, "hh:mm:ss", a fraction if there is one, and "Z" if it is there.
@@ -42,7 +34,7 @@ std::optional<long double> parse_date(std::string_view text) {
     return std::nullopt;
   const std::string_view seconds = text.substr(17);  // 60: a leap second
   if (seconds.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
-  const auto second = parse_whole<long double>(seconds);
+  const auto second = read_number<long double>(seconds);
   const std::chrono::year_month_day date{std::chrono::year(*year),
                                          std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
@@ -55,7 +47,7 @@ std::optional<long double> parse_date(std::string_view text) {
 
 std::optional<long double> parse_step_time(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto number = parse_whole<long double>(text);
+  const auto number = read_number<long double>(text);
   if (number && std::isfinite(*number)) return number;
   return parse_date(text);
 }
@@ -112,7 +104,7 @@ std::optional<ObjectId> GivenNames::find_object(const GivenId& name) const {
 }
 
 std::optional<std::uint32_t> GivenNames::find_step(std::string_view name) const {
-  if (steps_.empty()) return parse_whole<std::uint32_t>(name);
+  if (steps_.empty()) return read_number<std::uint32_t>(name);
   const auto time = parse_step_time(name);
   if (!time) return std::nullopt;
   const auto found = std::ranges::lower_bound(times_, *time);

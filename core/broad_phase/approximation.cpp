@@ -1,10 +1,10 @@
 #include "core/broad_phase/approximation.h"
 
 #include <array>
-#include <charconv>
 #include <stdexcept>
 
 #include "core/base/assignments.h"
+#include "core/base/number_text.h"
 
 namespace kerf {
 namespace {
@@ -16,12 +16,11 @@ constexpr std::array<std::string_view, 5> kNames{"period", "margin", "filter", "
 
 template <class T>
 T parse(std::string_view name, std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
+  const auto value = read_number<T>(text);
+  if (!value)
     throw std::invalid_argument("parameter " + std::string(name) + ": '" + std::string(text) +
                                 "' is no number");
-  return value;
+  return *value;
 }
 
 bool parse_switch(std::string_view name, std::string_view text) {
@@ -46,11 +45,6 @@ void set(Approximation& how, std::string_view name, std::string_view value) {
     throw std::invalid_argument("unknown parameter '" + std::string(name) +
                                 "'; known are period, margin, filter, grid and shrink");
   }
-}
-
-std::string format(float value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 }  // namespace
@@ -86,9 +80,9 @@ std::string to_string(const Approximation& how) {
     text += (text.empty() ? "" : ",") + std::string(name) + "=" + value;
   };
   if (how.period != exact.period) add("period", std::to_string(how.period));
-  if (how.margin != exact.margin) add("margin", format(how.margin));
+  if (how.margin != exact.margin) add("margin", exact_number(how.margin));
   if (how.filter) add("filter", "1");
-  if (how.grid != exact.grid) add("grid", format(how.grid));
+  if (how.grid != exact.grid) add("grid", exact_number(how.grid));
   if (how.shrink) add("shrink", "1");
   return text;
 }

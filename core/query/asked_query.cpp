@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/number_text.h"
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
 
@@ -21,11 +22,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<Scalar> parse_coordinate(std::string_view text) {
-  text = trimmed(text);
-  Scalar number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
-  return is_number ? std::optional(number) : std::nullopt;
+  const auto number = read_number<Scalar>(trimmed(text));
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// None if one of them is none.

@@ -8,6 +8,7 @@
 
 #include "core/base/damage.h"
 #include "core/base/float_mode.h"
+#include "core/base/number_text.h"
 #include "core/recording/object_marks.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/shape_rows.h"
@@ -42,14 +43,12 @@ CREATE TABLE their_seals(step INTEGER PRIMARY KEY, seal INTEGER);
 
 template <class Number>
 Number number(const std::map<std::string, std::string>& meta, const char* key) {
-  Number value{};
   const auto found = meta.find(key);
   if (found == meta.end()) fail_damaged(std::string("it does not say its ") + key);
   const std::string& text = found->second;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
-    fail_damaged(std::string("its ") + key + " is '" + text + "'");
-  return value;
+  const auto value = read_number<Number>(text);
+  if (!value) fail_damaged(std::string("its ") + key + " is '" + text + "'");
+  return *value;
 }
 
 bool flag_of(const std::map<std::string, std::string>& meta, const char* key) {

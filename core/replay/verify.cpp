@@ -8,6 +8,7 @@
 
 #include "core/base/counted.h"
 #include "core/base/float_mode.h"
+#include "core/base/number_text.h"
 #include "core/base/poll.h"
 #include "core/bsp/state_codec.h"
 #include "core/recording/shape_rows.h"
@@ -27,12 +28,6 @@ struct Figure {
   std::string replayed;
 };
 
-/// Different numbers have different texts.
-std::string exact(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
 /// All figures of a step's row that come from the tree, without the times.
 std::vector<Figure> figures_of(const StepRow& row, const Statistics& now, std::uint64_t pairs) {
   const Statistics& then = row.statistics;
@@ -45,7 +40,7 @@ std::vector<Figure> figures_of(const StepRow& row, const Statistics& now, std::u
   add("height", then.height, now.height);
   add("leaves", then.leaves, now.leaves);
   add("entries", then.entries, now.entries);
-  figures.push_back({"redundancy", exact(then.redundancy), exact(now.redundancy)});
+  figures.push_back({"redundancy", exact_number(then.redundancy), exact_number(now.redundancy)});
   for (int op = 0; op < kOperatorCount; ++op)
     add(std::string(to_string(static_cast<Operator>(op))) + " operators",
         then.count(static_cast<Operator>(op)), now.count(static_cast<Operator>(op)));

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "core/base/number_text.h"
 #include "core/files/temporary_folder.h"
 
 namespace kerf {
@@ -76,10 +77,7 @@ std::string in_quotes(std::string_view text) {
   return result + "\"";
 }
 
-std::string plot_number(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
+std::string plot_number(double x) { return exact_number(x); }
 
 void require_gnuplot() {
   if (std::system("gnuplot --version >/dev/null 2>&1") != 0)

@@ -6,7 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "viz/debugger/script_keys.h"
+#include "core/base/number_text.h"
+#include "viz/debugger/gui/gui.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -19,14 +20,6 @@ template <class Error = ScriptError>
   throw Error("line " + std::to_string(line.number) + ", '" + text + "': " + what);
 }
 
-template <class Number = double>
-std::optional<Number> number_of(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 /// Beyond any window, and small enough to be cut to a whole number of pixels.
 constexpr float kMostPixels = 1e6F;
 /// Hours of playing.
@@ -34,7 +27,7 @@ constexpr int kMostFrames = 1'000'000;
 
 /// A place along a window, a share of it or turns of a wheel.
 std::optional<float> extent_of(std::string_view text) {
-  const auto value = number_of<float>(text);
+  const auto value = read_number<float>(text);
   return value && std::abs(*value) <= kMostPixels ? value : std::nullopt;
 }
 
@@ -94,7 +87,7 @@ std::optional<Selection> named_thing(const std::string& text, const GivenNames& 
     const auto object = given ? names.find_object(*given) : std::nullopt;
     return object ? std::optional<Selection>(*object) : std::nullopt;
   }
-  const auto node = number_of<std::uint32_t>(id);
+  const auto node = read_number<std::uint32_t>(id);
   return node && text.starts_with("node:") ? std::optional<Selection>(NodeId{*node}) : std::nullopt;
 }
 
@@ -110,10 +103,11 @@ bool has_word(const ScriptLine& line, std::size_t k, std::string_view word) {
 bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
   if (op == "~") return a.find(b) != std::string::npos;
   if (op == "!~") return a.find(b) == std::string::npos;
-  if (op == "==") return a == b || (number_of(a) && number_of(a) == number_of(b));
+  if (op == "==")
+    return a == b || (read_number<double>(a) && read_number<double>(a) == read_number<double>(b));
   if (op == "!=") return !compare(a, "==", b, line);
-  const auto x = number_of(a);
-  const auto y = number_of(b);
+  const auto x = read_number<double>(a);
+  const auto y = read_number<double>(b);
   if (!x || !y) fail(line, "'" + a + "' and '" + b + "' are not both numbers");
   if (op == "<") return *x < *y;
   if (op == "<=") return *x <= *y;
@@ -187,7 +181,7 @@ void ScriptPlayer::play(const ScriptLine& line) {
     return frames(2);
   }
   if (verb == "wait") {
-    const auto count = number_of<int>(word(1));
+    const auto count = read_number<int>(word(1));
     if (!count || *count < 0 || *count > kMostFrames)
       fail(line, "'" + word(1) + "' is no whole number of frames from 0 to " + std::to_string(kMostFrames));
     return frames(*count);

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/base/number_text.h"
+
 namespace kerf {
 namespace {
 
@@ -23,11 +25,10 @@ std::string number_word(double value) {
 [[noreturn]] void reject(const std::string& what) { throw std::invalid_argument(what); }
 
 template <class Number>
-Number read_number(const std::string& word) {
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size()) reject("'" + word + "' is no number");
-  return value;
+Number number_in(const std::string& word) {
+  const auto value = read_number<Number>(word);
+  if (!value) reject("'" + word + "' is no number");
+  return *value;
 }
 
 /// The number of a name in a list of names.
@@ -39,7 +40,7 @@ std::size_t index_of_name(const std::array<std::string_view, N>& names, const st
 }
 
 double read_share(const std::string& word) {
-  const auto share = read_number<double>(word);
+  const auto share = number_in<double>(word);
   if (!(share > 0 && share < 1)) reject("'" + word + "' is no share between 0 and 1");
   return share;
 }
@@ -72,7 +73,7 @@ struct SettingsLines {
     if (what == kLastLine) {
       has_end = true;
     } else if (what == "zoom" && words >> first) {
-      settings.zoom = read_number<double>(first);
+      settings.zoom = number_in<double>(first);
       if (!(settings.zoom >= kZooms.front() && settings.zoom <= kZooms.back()))
         reject("the zoom is from " + number_word(kZooms.front()) + " to " + number_word(kZooms.back()));
     } else if (what == "theme" && words >> first) {
@@ -83,8 +84,8 @@ struct SettingsLines {
       std::string front;
       words >> front;
       PanelCell cell;
-      cell.share = static_cast<float>(read_number<double>(second));
-      cell.shown = read_number<std::size_t>(front);
+      cell.share = static_cast<float>(number_in<double>(second));
+      cell.shown = number_in<std::size_t>(front);
       cell.tabs = panels_of(words);
       places[index_of_name(kPlaceNames, first)].push_back(std::move(cell));
     } else {
