@@ -6,15 +6,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::interrupt_kerf;
-using test::read_json;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 class AdviseProgram : public ::testing::Test {
@@ -124,4 +118,4 @@ TEST_F(AdviseProgram, EndsSoonWhenInterruptedAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,14 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::Surroundings;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 RunOutcome render(const std::filesystem::path& out, const std::vector<std::string>& more,
@@ -53,4 +48,4 @@ TEST_F(WithoutOsmesa, TheAnswerSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -11,15 +11,9 @@
 #include "core/recording/writer_lock.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::holds_within_a_minute;
-using test::kerf_command;
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// A recording that goes on until it is interrupted.
@@ -130,4 +124,4 @@ TEST_F(CompanyProgram, AKilledRecordingOpensFromAFolderThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,15 +8,9 @@
 #include "tests/viz/debugger/x_display.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::holds_within_a_minute;
-using test::kerf_command;
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// A recording, a script and a folder for pictures.
@@ -393,4 +387,4 @@ TEST_F(DebugProgram, LintFindsWhatWaits) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,12 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -77,4 +74,4 @@ TEST(Video, NamesFilmsThatHaveNoEncoder) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -12,13 +12,9 @@
 #include "tests/frames/program.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// Files of every kind that commands take, whole and damaged. A word of a command that begins with @ is one
@@ -250,4 +246,4 @@ TEST_F(ExitCodes, AreInTheHelp) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -11,14 +11,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::holds_within_a_minute;
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 std::vector<std::string> long_render(const std::filesystem::path& out) {
@@ -356,4 +351,4 @@ TEST(FailureProgram, APictureOnAFullDiskIsAnError) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -6,14 +6,9 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_json;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -97,4 +92,4 @@ TEST_P(FramingProgram, AnOrdinaryFilmSaysNothing) {
 INSTANTIATE_TEST_SUITE_P(Dimensions, FramingProgram, ::testing::Values(2, 3));
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -9,10 +9,9 @@
 #include "frames/import/written_digits.h"
 #include "tests/frames/import_program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -267,4 +266,4 @@ TEST_F(ImportDigits, AreComparedAsTheyWereWritten) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

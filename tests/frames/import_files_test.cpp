@@ -10,11 +10,9 @@
 #include "tests/frames/import_program.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -169,4 +167,4 @@ TEST_F(ImportFiles, ObjectsWithASignInOneTableOnlyAreRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -12,11 +12,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/import_program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -89,4 +87,4 @@ TEST(OutOfMemory, PicturesAreNamedWhereOnesAreDrawn) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -9,10 +9,9 @@
 #include "tests/frames/import_program.h"
 #include "viz/draw/recorded_bodies.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::ImportProgram;
 using ::testing::HasSubstr;
 
 class ImportObjects : public ImportProgram {
@@ -144,4 +143,4 @@ TEST_F(ImportObjects, AMeshIsReadByLineOrRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

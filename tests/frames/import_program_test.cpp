@@ -7,15 +7,9 @@
 #include "core/files/part_file.h"
 #include "core/recording/recording_reader.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::holds_within_a_minute;
-using test::ImportProgram;
-using test::kerf_command;
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -266,4 +260,4 @@ TEST_F(ImportProgram, AMinusBeforeAZeroIsNothing) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

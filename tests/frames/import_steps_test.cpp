@@ -9,12 +9,9 @@
 #include "tests/frames/import_program.h"
 #include "tests/support/tampering.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::ImportProgram;
-using test::run_kerf;
-using test::RunOutcome;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
@@ -191,4 +188,4 @@ TEST_F(ImportSteps, TheDebuggerTakesAndNamesThem) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

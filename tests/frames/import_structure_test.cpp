@@ -12,13 +12,9 @@
 #include "tests/support/planted_box_tree.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::PlantedBoxTree;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TreeBug;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -316,4 +312,4 @@ TEST_F(ImportStructure, AnObjectThatIsNoneIsNamed) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -3,11 +3,9 @@
 
 #include "tests/frames/import_program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -372,4 +370,4 @@ TEST_F(ImportVerdict, TwoImportsAreComparedByTheirShapesToo) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -10,13 +10,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::interrupt_kerf;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 using Arguments = std::vector<std::string>;
@@ -96,4 +92,4 @@ TEST(InterruptedProgram, AScriptOfTheDebuggerLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

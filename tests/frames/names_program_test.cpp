@@ -7,15 +7,10 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::read_json;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// Names that a URI, a shell, an option or an encoding could take for something else. Commands are run where
@@ -80,4 +75,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, NamesProgram,
                                            "a b%20#c", "\xff\xfe\x80", "long", "longest"));
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

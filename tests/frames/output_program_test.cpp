@@ -7,13 +7,9 @@
 #include "core/recording/recording_reader.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 constexpr const char* kSplit = "op==split && kind==acted";
@@ -166,4 +162,4 @@ TEST_F(OutputProgram, ImportKeepsAnEarlierRecordingUntilThereIsANewOne) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

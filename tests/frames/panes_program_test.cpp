@@ -10,13 +10,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_json;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 RunOutcome render(const std::string& scene, const std::filesystem::path& out,
@@ -137,4 +133,4 @@ TEST(PanesProgramTimed, ShowsTimes) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

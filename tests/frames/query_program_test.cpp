@@ -9,12 +9,9 @@
 #include "tests/frames/program.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// A recording of 60 steps in which operators act.
@@ -340,4 +337,4 @@ TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,13 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::read_text;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
@@ -103,4 +99,4 @@ TEST(ReadmeProgram, OneVersionIsSaidEverywhere) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

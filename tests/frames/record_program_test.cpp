@@ -9,15 +9,9 @@
 #include "frames/sequence/recording_file.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::holds_within_a_minute;
-using test::kerf_command;
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 TEST(RecordProgram, RecordsAndVerifiesScenesOfBothDimensions) {
@@ -140,4 +134,4 @@ TEST(RecordProgram, BadInputIsNamed) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

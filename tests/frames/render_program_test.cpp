@@ -9,13 +9,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_json;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// A short run of few objects, small pictures.
@@ -161,4 +157,4 @@ TEST(RenderProgram, MakesContactSheet) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -6,11 +6,9 @@
 #include "frames/catalog/scene_catalog.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -45,4 +43,4 @@ TEST(ScenesProgram, PrintsJson) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

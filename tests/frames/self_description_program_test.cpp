@@ -7,13 +7,9 @@
 #include "frames/commands/exit_codes.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 TEST(SelfDescriptionProgram, EveryCommandIsInThePageAndInEachCompletion) {
@@ -55,4 +51,4 @@ TEST(SelfDescriptionProgram, BashCompletesCommandsAndOptions) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

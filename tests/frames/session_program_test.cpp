@@ -6,13 +6,9 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -96,4 +92,4 @@ TEST_F(SessionProgram, LoadingAnotherSessionKeepsTheOneThatItReplaces) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

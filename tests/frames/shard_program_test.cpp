@@ -10,12 +10,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 /// A recording in which operators act in many steps, and what renders it.
@@ -179,4 +176,4 @@ TEST(CameraPathProgram, MovesTheCameraAndIsSaidInTheManifest) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -11,12 +11,9 @@
 #include "tests/support/recorded_crowd.h"
 #include "tests/support/tampering.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 constexpr std::uint32_t kKeyframe = 256;
@@ -188,4 +185,4 @@ TEST(TamperedProgram, WholeRecordingsAreRead) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,12 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -201,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

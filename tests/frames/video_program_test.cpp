@@ -10,14 +10,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::run_kerf;
-using test::RunOutcome;
-using test::Surroundings;
-using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -170,4 +165,4 @@ TEST(VideoProgram, UnwritableFolderIsFoundBeforeTheWork) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

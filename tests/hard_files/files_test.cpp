@@ -18,12 +18,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Process;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 std::string bytes_of(const std::filesystem::path& file) { return test::read_text(file); }
@@ -154,4 +151,4 @@ TEST(HardFiles, F3_AKilledSequenceHoldsOnlyWholeFrames) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -15,10 +15,9 @@
 #include "viz/image/flip.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::Plant;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -123,4 +122,4 @@ TYPED_TEST(PlantedBugs, DrawnAgainNothingIsFound) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -15,11 +15,10 @@
 #include "core/replay/verify.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::TemporaryRecording;
 using ::testing::HasSubstr;
 
 constexpr std::uint32_t kSteps = 60;
@@ -140,4 +139,4 @@ TEST(RecordingCompany, ANameIsAName) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

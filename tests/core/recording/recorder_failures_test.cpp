@@ -19,10 +19,9 @@
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::TemporaryRecording;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -195,4 +194,4 @@ TYPED_TEST(RecorderFailures, AFileThatCannotBeMadeLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

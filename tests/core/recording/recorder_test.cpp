@@ -18,10 +18,9 @@
 #include "tests/support/pairs.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::TemporaryRecording;
 using ::testing::HasSubstr;
 
 template <class T>
@@ -250,4 +249,4 @@ TEST(RecordingFile, CanBeReadWhileItIsWritten) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

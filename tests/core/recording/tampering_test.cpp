@@ -19,11 +19,9 @@
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::StoredValue;
-using test::TemporaryRecording;
 using ::testing::HasSubstr;
 
 constexpr std::uint32_t kKeyframe = 256;  ///< the only step with one
@@ -353,4 +351,4 @@ TEST(RecorderNumbers, AnObjectNumberFarAboveTheirCountIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

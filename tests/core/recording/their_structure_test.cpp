@@ -14,10 +14,9 @@
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::TemporaryRecording;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -137,4 +136,4 @@ TEST(TheirStructure, DamagedBytesAreRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

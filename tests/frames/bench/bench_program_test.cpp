@@ -5,15 +5,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::has_written_part;
-using test::interrupt_kerf;
-using test::read_json;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 TEST(BenchProgram, PrintsRowsAndWritesJson) {
@@ -169,4 +163,4 @@ TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

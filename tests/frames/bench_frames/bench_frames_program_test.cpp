@@ -6,15 +6,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::has_written_part;
-using test::interrupt_kerf;
-using test::read_json;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes) {
@@ -71,4 +65,4 @@ TEST(BenchFramesProgram, TooFewFramesAreRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

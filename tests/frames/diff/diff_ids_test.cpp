@@ -9,13 +9,10 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -107,4 +104,4 @@ TEST_F(DiffIds, OfTwoFilesItIsSaidThatOnlyPixelsWereCompared) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -9,17 +9,10 @@
 #include "tests/support/png_file.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::png_rows;
-using test::PngFile;
-using test::read_text;
-using test::repeat;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -187,4 +180,4 @@ TEST_F(DiffInputs, ApprovingSaysWhatWasNotCompared) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

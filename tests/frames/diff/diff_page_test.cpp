@@ -10,14 +10,9 @@
 #include "tests/frames/report/browser.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::look_at;
-using test::run_kerf;
-using test::RunOutcome;
-using test::Sight;
-using test::TemporaryFolder;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::Gt;
@@ -176,4 +171,4 @@ TEST_F(DiffPage, AReportIntoAFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

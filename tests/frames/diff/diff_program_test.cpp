@@ -7,12 +7,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -209,4 +206,4 @@ TEST_F(DiffProgram, ApprovingTakesTheManifest) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

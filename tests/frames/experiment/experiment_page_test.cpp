@@ -8,13 +8,9 @@
 #include "tests/frames/program.h"
 #include "tests/frames/report/browser.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::look_at;
-using test::run_kerf;
-using test::Sight;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -149,4 +145,4 @@ TEST_F(ExperimentPage, ItsCommandsShowTheMomentOfTheRun) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,12 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 constexpr const char* kFirstRun = "simulation-1-terrain-seed-1-repeat-1.csv";
@@ -162,4 +159,4 @@ TEST(ExperimentProgram, MistakesAreExplained) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -6,13 +6,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 
 constexpr RelatedClaim kSlower{"words", RelatedMeasure::update, "kinetic-tree", "kerf-paper", true, 1.5};
@@ -115,4 +111,4 @@ TEST(RelatedProgram, ItsRunsAreSharedAndGoOnFromWhereTheyWere) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

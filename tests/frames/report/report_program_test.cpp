@@ -7,17 +7,9 @@
 #include "tests/frames/program.h"
 #include "tests/frames/report/browser.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::interrupt_kerf;
-using test::look_at;
-using test::read_json;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::Sight;
-using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -220,4 +212,4 @@ TEST(ReportProgram, SaysWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

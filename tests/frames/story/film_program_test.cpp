@@ -10,15 +10,9 @@
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::interrupt_kerf;
-using test::Process;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -124,4 +118,4 @@ TEST(FilmProgram, LeavesNothingWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

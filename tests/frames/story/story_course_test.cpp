@@ -6,10 +6,8 @@
 #include "frames/sequence/record_scene.h"
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TemporaryFolder;
 
 StoryMoment moment(std::uint32_t step, Operator op, std::uint32_t population) {
   StoryMoment made;
@@ -69,4 +67,4 @@ TEST(StoryCourse, CountsTheTestsOfEachStep) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,12 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/study/study_files.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::read_text;
-using test::RunOutcome;
-using test::StudyFolder;
 using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
@@ -73,4 +70,4 @@ TEST(StudyFiles, TheJobOfKubernetesMakesAllCells) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -6,12 +6,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/study/study_files.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::FramesStudy;
-using test::read_text;
-using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -45,4 +42,4 @@ TEST(LostPictures, AreDrawnAgainByTheSameCommand) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,10 +8,9 @@
 #include "frames/support/errors.h"
 #include "tests/frames/study/study_files.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::StudyFolder;
 using ::testing::HasSubstr;
 
 Study read(const std::string& text) { return read_study(StudyFolder(text).path("study.json")); }
@@ -166,4 +165,4 @@ TEST(ReadStudy, AFileThatIsNotThereIsSaid) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

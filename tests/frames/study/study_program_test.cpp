@@ -9,16 +9,9 @@
 #include "tests/frames/report/browser.h"
 #include "tests/frames/study/study_files.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::counts_of;
-using test::FramesStudy;
-using test::read_json;
-using test::read_text;
-using test::run_kerf;
-using test::RunOutcome;
-using test::StudyFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -365,4 +358,4 @@ TEST(StudyProgram, FramesOfAnEarlierAttemptAreKept) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

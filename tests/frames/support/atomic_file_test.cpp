@@ -7,10 +7,8 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TemporaryFolder;
 
 TEST(AtomicFile, WritesAndReplaces) {
   const TemporaryFolder folder;
@@ -65,4 +63,4 @@ TEST(AtomicFile, FolderBelowAFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -13,10 +13,8 @@
 #include "viz/draw/palette.h"
 #include "viz/draw/theme.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 TEST(Contrast, IsThatOfTheGuidelines) {
   EXPECT_DOUBLE_EQ(contrast({0, 0, 0}, {255, 255, 255}), 21);
@@ -170,4 +168,4 @@ TEST(Contrast, MarksCanBeSeenInBothThemes) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -8,10 +8,8 @@
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/draw/palette.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 /// Pixels of exactly that colour in the view.
 std::size_t pixels_of(Debugger& debugger, Color color) {
@@ -186,4 +184,4 @@ expect table == nodes
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -9,10 +9,9 @@
 #include "viz/debugger/model/recent_operators.h"
 #include "viz/debugger/model/tree_walk.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::TimelineDriver;
 using ::testing::ElementsAreArray;
 
 /// A run of a crowd, at a split.
@@ -153,4 +152,4 @@ TEST_F(DebuggerIcicle, OperatorsOfTheLastStepsAreSeenInTheScene) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

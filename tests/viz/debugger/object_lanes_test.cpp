@@ -8,10 +8,8 @@
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/run_of.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 constexpr std::uint32_t kStepsOfLanes = 60;
 
@@ -121,4 +119,4 @@ TEST(DebuggerObjectLanes, BelongToOneOfTwoRuns) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -2,10 +2,8 @@
 
 #include "tests/viz/debugger/timeline_driver.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 TEST(TimelineTools, KeysAndButtonsGoToEachKindOfMoment) {
   TimelineDriver driver;
@@ -131,4 +129,4 @@ expect step > 15
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -4,10 +4,8 @@
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/find_hits.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 std::vector<std::string> texts_of(const std::vector<SearchHit>& hits) {
   std::vector<std::string> texts;
@@ -133,4 +131,4 @@ expect search == closed
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

@@ -9,10 +9,9 @@
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/figure_table.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::TimelineDriver;
 using ::testing::HasSubstr;
 
 class DebuggerTables : public testing::Test {
@@ -235,4 +234,4 @@ TEST_F(DebuggerTables, ARowOfWhatIsSelectedElsewhereIsSeen) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

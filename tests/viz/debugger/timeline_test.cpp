@@ -3,10 +3,8 @@
 #include "tests/support/default_window.h"
 #include "tests/viz/debugger/timeline_driver.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 TEST(TimelinePanel, TheWheelZoomsAtTheMouseAndPansSideways) {
   TimelineDriver driver;
@@ -314,4 +312,4 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

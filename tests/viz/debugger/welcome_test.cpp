@@ -4,10 +4,8 @@
 #include "viz/debugger/model/opening.h"
 #include "viz/debugger/panels/panel.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 StepRow row_with(std::uint32_t step, std::uint32_t leaves) {
   StepRow row;
@@ -221,4 +219,4 @@ TEST(DebuggerTransport, PlaysByStepsAtTheSpeedOfTheScene) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

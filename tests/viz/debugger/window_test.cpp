@@ -8,10 +8,8 @@
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/draw/theme.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
-
-using test::TimelineDriver;
 
 class WindowOfDebugger : public testing::Test {
  protected:
@@ -241,4 +239,4 @@ TEST_F(WindowOfDebugger, TheThemeColoursTheSceneAndThePanels) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test

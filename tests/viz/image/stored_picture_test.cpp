@@ -9,12 +9,9 @@
 #include "tests/viz/message_of.h"
 #include "viz/image/png.h"
 
-namespace kerf {
+namespace kerf::test {
 namespace {
 
-using test::png_rows;
-using test::PngFile;
-using test::repeat;
 using testing::HasSubstr;
 
 constexpr std::uint8_t kGrey = 0;
@@ -142,4 +139,4 @@ TEST(StoredPicture, WhatWouldNotBeLookedAtIsRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::test
