@@ -23,7 +23,4 @@ class AllPairs final : public Tabled<D>, public SelfDescribing<D> {
   Lanes<D> lanes_;
 };
 
-extern template class AllPairs<2>;
-extern template class AllPairs<3>;
-
 }  // namespace kerf

@@ -51,7 +51,4 @@ class Approximate final : public BroadPhase<D> {
   bool is_urgent_ = true;  ///< the next step is a placement
 };
 
-extern template class Approximate<2>;
-extern template class Approximate<3>;
-
 }  // namespace kerf

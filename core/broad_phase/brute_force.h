@@ -35,7 +35,4 @@ class BruteForce final : public BroadPhase<D>, public SelfDescribing<D> {
   std::vector<Pair> pairs_;
 };
 
-extern template class BruteForce<2>;
-extern template class BruteForce<3>;
-
 }  // namespace kerf

@@ -68,7 +68,4 @@ class Columns final : public Tabled<D>, public SelfDescribing<D> {
   Lanes<D> lanes_;
 };
 
-extern template class Columns<2>;
-extern template class Columns<3>;
-
 }  // namespace kerf

@@ -66,7 +66,4 @@ class LooseOctree final : public Tabled<D>, public SelfDescribing<D> {
   std::uint64_t candidates_ = 0;
 };
 
-extern template class LooseOctree<2>;
-extern template class LooseOctree<3>;
-
 }  // namespace kerf

@@ -26,7 +26,4 @@ class SortAndSweep final : public Tabled<D>, public SelfDescribing<D> {
   Lanes<D> lanes_;
 };
 
-extern template class SortAndSweep<2>;
-extern template class SortAndSweep<3>;
-
 }  // namespace kerf

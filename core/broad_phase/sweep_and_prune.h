@@ -67,7 +67,4 @@ class SweepAndPrune final : public Tabled<D>, public SelfDescribing<D> {
   PairSet candidates_;
 };
 
-extern template class SweepAndPrune<2>;
-extern template class SweepAndPrune<3>;
-
 }  // namespace kerf

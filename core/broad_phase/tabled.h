@@ -49,7 +49,4 @@ class Tabled : public BroadPhase<D> {
   PairList pairs_;
 };
 
-extern template class Tabled<2>;
-extern template class Tabled<3>;
-
 }  // namespace kerf

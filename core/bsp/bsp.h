@@ -132,8 +132,4 @@ class Bsp final : public BroadPhase<D> {
   std::uint32_t step_ = 0;
 };
 
-#define KERF_DECLARE(D, TRACE) extern template class Bsp<D, TRACE>;
-KERF_FOR_EACH_TRACE(KERF_DECLARE)
-#undef KERF_DECLARE
-
 }  // namespace kerf

@@ -93,7 +93,4 @@ class KeptPairs {
   RestingPairs<D> resting_;
 };
 
-extern template class KeptPairs<2>;
-extern template class KeptPairs<3>;
-
 }  // namespace kerf

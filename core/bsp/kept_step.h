@@ -64,7 +64,4 @@ class KeptStep {
   float cost_ = 0;
 };
 
-extern template class KeptStep<2>;
-extern template class KeptStep<3>;
-
 }  // namespace kerf

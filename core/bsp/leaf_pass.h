@@ -49,7 +49,4 @@ class LeafPass {
   std::vector<LeafScratch<D>> scratch_;
 };
 
-extern template class LeafPass<2>;
-extern template class LeafPass<3>;
-
 }  // namespace kerf

@@ -48,7 +48,4 @@ class LeavePass {
   std::vector<std::uint32_t> stayed_;
 };
 
-extern template class LeavePass<2>;
-extern template class LeavePass<3>;
-
 }  // namespace kerf

@@ -24,7 +24,4 @@ class OrderedStep {
   static void find(const Tree<D>& tree, NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs);
 };
 
-extern template class OrderedStep<2>;
-extern template class OrderedStep<3>;
-
 }  // namespace kerf

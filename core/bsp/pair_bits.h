@@ -48,7 +48,4 @@ class PairBits {
   std::size_t listed_ = 0;  ///< pairs in the list that was written last
 };
 
-extern template class PairBits<2>;
-extern template class PairBits<3>;
-
 }  // namespace kerf

@@ -83,7 +83,4 @@ class Requests {
   bool only_moves_ = true;
 };
 
-extern template class Requests<2>;
-extern template class Requests<3>;
-
 }  // namespace kerf

@@ -35,7 +35,4 @@ class RestingPairs {
   PairBuffer behind_;
 };
 
-extern template class RestingPairs<2>;
-extern template class RestingPairs<3>;
-
 }  // namespace kerf

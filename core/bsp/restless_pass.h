@@ -71,7 +71,4 @@ class RestlessPass {
   float cost_ = 0;
 };
 
-extern template class RestlessPass<2>;
-extern template class RestlessPass<3>;
-
 }  // namespace kerf

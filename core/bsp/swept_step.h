@@ -46,7 +46,4 @@ class SweptStep {
   bool wants_rows_ = false;
 };
 
-extern template class SweptStep<2>;
-extern template class SweptStep<3>;
-
 }  // namespace kerf

@@ -29,7 +29,4 @@ class DirectionSet {
   std::vector<Vector<D>> directions_;
 };
 
-extern template class DirectionSet<2>;
-extern template class DirectionSet<3>;
-
 }  // namespace kerf

@@ -54,7 +54,4 @@ class ByteSweep {
   void make_room(std::size_t n);
 };
 
-extern template class ByteSweep<2>;
-extern template class ByteSweep<3>;
-
 }  // namespace kerf

@@ -39,7 +39,4 @@ void sweep_lanes(const Lanes<D>& lanes, PairList& pairs);
 template <int D>
 void test_lanes(const Lanes<D>& lanes, std::size_t first, std::size_t last, PairList& pairs);
 
-extern template struct Lanes<2>;
-extern template struct Lanes<3>;
-
 }  // namespace kerf

@@ -101,7 +101,4 @@ class ObjectTable {
   std::uint32_t size_ = 0;
 };
 
-extern template class ObjectTable<2>;
-extern template class ObjectTable<3>;
-
 }  // namespace kerf

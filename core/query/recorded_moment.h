@@ -44,7 +44,4 @@ class RecordedMoment final : public Moment {
   mutable std::optional<TheirStep> judgement_;   ///< of the oracle, computed once
 };
 
-extern template class RecordedMoment<2>;
-extern template class RecordedMoment<3>;
-
 }  // namespace kerf

@@ -77,7 +77,4 @@ class Search {
   std::optional<bool> has_judgement_;  ///< whether `missed` and the like are known; none: not asked yet
 };
 
-extern template class Search<2>;
-extern template class Search<3>;
-
 }  // namespace kerf

@@ -97,9 +97,4 @@ class BlockDecoder {
   LookDecoder<D> looks_;
 };
 
-extern template class BlockEncoder<2>;
-extern template class BlockEncoder<3>;
-extern template class BlockDecoder<2>;
-extern template class BlockDecoder<3>;
-
 }  // namespace kerf

@@ -99,11 +99,4 @@ Bytes encode_looks(const Looks<D>& looks);
 template <int D>
 Looks<D> decode_looks(std::span<const std::uint8_t> bytes, std::size_t bound);
 
-extern template class LookPredictor<2>;
-extern template class LookPredictor<3>;
-extern template class LookEncoder<2>;
-extern template class LookEncoder<3>;
-extern template class LookDecoder<2>;
-extern template class LookDecoder<3>;
-
 }  // namespace kerf

@@ -88,7 +88,4 @@ class Recorder final : public BroadPhase<D> {
   double seconds_ = 0;
 };
 
-extern template class Recorder<2>;
-extern template class Recorder<3>;
-
 }  // namespace kerf

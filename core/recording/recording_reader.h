@@ -138,7 +138,4 @@ class RecordingReader {
   mutable std::uint32_t theirs_asked_ = 0;    ///< and in this one
 };
 
-extern template class RecordingReader<2>;
-extern template class RecordingReader<3>;
-
 }  // namespace kerf

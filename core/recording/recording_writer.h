@@ -71,7 +71,4 @@ class RecordingWriter {
   std::chrono::steady_clock::time_point last_flush_;
 };
 
-extern template class RecordingWriter<2>;
-extern template class RecordingWriter<3>;
-
 }  // namespace kerf

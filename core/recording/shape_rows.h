@@ -48,7 +48,4 @@ class ShapeNumbers {
   std::vector<std::pair<std::uint32_t, ShapeText>> new_;
 };
 
-extern template class ShapeNumbers<2>;
-extern template class ShapeNumbers<3>;
-
 }  // namespace kerf

@@ -93,7 +93,4 @@ void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase);
 template <int D>
 void apply(const ObjectRequest<D>& request, ObjectTable<D>& objects);
 
-extern template struct StepRequests<2>;
-extern template struct StepRequests<3>;
-
 }  // namespace kerf

@@ -59,7 +59,4 @@ class VolumePredictor {
   std::vector<Track> tracks_;  ///< by object, then channel
 };
 
-extern template class VolumePredictor<2>;
-extern template class VolumePredictor<3>;
-
 }  // namespace kerf

@@ -42,7 +42,4 @@ class AuxiliaryPlanes final : public CutTreePolicy<D> {
   std::size_t members_ = 0;      ///< of all groups
 };
 
-extern template class AuxiliaryPlanes<2>;
-extern template class AuxiliaryPlanes<3>;
-
 }  // namespace kerf

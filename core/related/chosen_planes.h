@@ -60,11 +60,4 @@ class EvolvedPlanes final : public PlaneTree<D> {
                                  Random& random) const;
 };
 
-extern template class FixedDirections<2>;
-extern template class FixedDirections<3>;
-extern template class PrincipalComponents<2>;
-extern template class PrincipalComponents<3>;
-extern template class EvolvedPlanes<2>;
-extern template class EvolvedPlanes<3>;
-
 }  // namespace kerf

@@ -118,7 +118,4 @@ class CutTree {
   std::size_t entries_ = 0;
 };
 
-extern template class CutTree<2>;
-extern template class CutTree<3>;
-
 }  // namespace kerf

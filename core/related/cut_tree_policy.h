@@ -46,7 +46,4 @@ class CutTreePolicy : public Tabled<D>, public SelfDescribing<D> {
   std::uint64_t candidates_ = 0;
 };
 
-extern template class CutTreePolicy<2>;
-extern template class CutTreePolicy<3>;
-
 }  // namespace kerf

@@ -52,7 +52,4 @@ class KineticTree final : public CutTreePolicy<D> {
   std::size_t entries_when_built_ = 0;
 };
 
-extern template class KineticTree<2>;
-extern template class KineticTree<3>;
-
 }  // namespace kerf

@@ -58,7 +58,4 @@ class MultiLevelHash final : public Tabled<D>, public SelfDescribing<D> {
   std::uint64_t candidates_ = 0;
 };
 
-extern template class MultiLevelHash<2>;
-extern template class MultiLevelHash<3>;
-
 }  // namespace kerf

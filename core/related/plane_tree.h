@@ -73,7 +73,4 @@ class PlaneTree : public Tabled<D>, public SelfDescribing<D> {
   std::uint64_t candidates_ = 0;
 };
 
-extern template class PlaneTree<2>;
-extern template class PlaneTree<3>;
-
 }  // namespace kerf

@@ -21,7 +21,4 @@ class ReinsertingTree final : public CutTreePolicy<D> {
   void remove_empty(Index node);
 };
 
-extern template class ReinsertingTree<2>;
-extern template class ReinsertingTree<3>;
-
 }  // namespace kerf

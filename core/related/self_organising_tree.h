@@ -25,7 +25,4 @@ class SelfOrganisingTree final : public CutTreePolicy<D> {
   void organise(Index node);
 };
 
-extern template class SelfOrganisingTree<2>;
-extern template class SelfOrganisingTree<3>;
-
 }  // namespace kerf

@@ -26,7 +26,4 @@ class ShiftingCuts final : public CutTreePolicy<D> {
   std::uint32_t age_ = 0;  ///< steps since it was built
 };
 
-extern template class ShiftingCuts<2>;
-extern template class ShiftingCuts<3>;
-
 }  // namespace kerf

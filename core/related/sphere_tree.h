@@ -54,7 +54,4 @@ class SphereTree final : public Tabled<D>, public SelfDescribing<D> {
   std::uint64_t candidates_ = 0;
 };
 
-extern template class SphereTree<2>;
-extern template class SphereTree<3>;
-
 }  // namespace kerf

@@ -69,7 +69,4 @@ BspState<D> state_before(Replayer<D>& replayer, std::uint64_t event);
 template <int D>
 std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event);
 
-extern template class Cursor<2>;
-extern template class Cursor<3>;
-
 }  // namespace kerf

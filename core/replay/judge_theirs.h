@@ -46,7 +46,4 @@ template <int D>
 bool overlap_as_given(const RecordingReader<D>& recording, std::uint32_t step, const ObjectTable<D>& objects,
                       const Pair& pair);
 
-extern template class TheirWorld<2>;
-extern template class TheirWorld<3>;
-
 }  // namespace kerf

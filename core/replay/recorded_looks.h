@@ -27,7 +27,4 @@ class RecordedLooks {
   Looks<D> looks_;
 };
 
-extern template class RecordedLooks<2>;
-extern template class RecordedLooks<3>;
-
 }  // namespace kerf

@@ -60,7 +60,4 @@ class Replayer {
   std::size_t kept_bytes_ = 0;
 };
 
-extern template class Replayer<2>;
-extern template class Replayer<3>;
-
 }  // namespace kerf

@@ -40,7 +40,4 @@ class MoveBatch {
   std::vector<Volume<D>> volumes_;  ///< of `objects_`, if by another kind
 };
 
-extern template class MoveBatch<2>;
-extern template class MoveBatch<3>;
-
 }  // namespace kerf

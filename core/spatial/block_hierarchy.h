@@ -54,7 +54,4 @@ class BlockHierarchy {
   double built_cost_ = 0;
 };
 
-extern template class BlockHierarchy<2>;
-extern template class BlockHierarchy<3>;
-
 }  // namespace kerf

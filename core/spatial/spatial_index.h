@@ -83,7 +83,4 @@ class SpatialIndex {
   BlockHierarchy<D> hierarchy_;
 };
 
-extern template class SpatialIndex<2>;
-extern template class SpatialIndex<3>;
-
 }  // namespace kerf

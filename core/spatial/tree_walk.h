@@ -70,7 +70,4 @@ class TreeWalk {
   double bound_ = 0;                ///< what has a larger key is of no interest
 };
 
-extern template class TreeWalk<2>;
-extern template class TreeWalk<3>;
-
 }  // namespace kerf

@@ -44,7 +44,4 @@ class Projector {
 template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind);
 
-extern template class Projector<2>;
-extern template class Projector<3>;
-
 }  // namespace kerf

@@ -78,7 +78,4 @@ class Scheduler {
   std::uint64_t refused_ = 0;
 };
 
-extern template class Scheduler<2>;
-extern template class Scheduler<3>;
-
 }  // namespace kerf

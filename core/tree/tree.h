@@ -129,7 +129,4 @@ void list_leaves(const Tree<D>& tree, std::vector<NodeId>& leaves) {
   });
 }
 
-extern template class Tree<2>;
-extern template class Tree<3>;
-
 }  // namespace kerf

@@ -66,7 +66,4 @@ class TreeSnapshotOf final : public TreeSnapshot {
   std::vector<Plane<D>> planes_;
 };
 
-extern template class TreeSnapshotOf<2>;
-extern template class TreeSnapshotOf<3>;
-
 }  // namespace kerf

@@ -187,7 +187,4 @@ class World {
   std::vector<Pair> kept_;     ///< of one step: pairs that kinds and filters allow
 };
 
-extern template class World<2>;
-extern template class World<3>;
-
 }  // namespace kerf

@@ -71,7 +71,4 @@ class WorldIndex {
   std::vector<Handle> next_handles_;  ///< of one update
 };
 
-extern template class WorldIndex<2>;
-extern template class WorldIndex<3>;
-
 }  // namespace kerf

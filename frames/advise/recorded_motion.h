@@ -50,7 +50,4 @@ class RecordedRun {
   Scalar box_size_ = 1;
 };
 
-extern template class RecordedRun<2>;
-extern template class RecordedRun<3>;
-
 }  // namespace kerf

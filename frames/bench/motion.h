@@ -91,7 +91,4 @@ class Motion {
   bool all_move_ = true;
 };
 
-extern template class Motion<2>;
-extern template class Motion<3>;
-
 }  // namespace kerf

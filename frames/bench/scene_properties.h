@@ -46,7 +46,4 @@ class PropertyMeter {
   std::uint64_t changing_ = 0;  ///< objects in the steps that could have changes
 };
 
-extern template class PropertyMeter<2>;
-extern template class PropertyMeter<3>;
-
 }  // namespace kerf

@@ -82,7 +82,4 @@ class StepBlock {
   SharedMemory memory_;
 };
 
-extern template class StepBlock<2>;
-extern template class StepBlock<3>;
-
 }  // namespace kerf

@@ -40,7 +40,4 @@ class TheirNodes {
   bool held_fixed_ = false;                  ///< one of them held a fixed object
 };
 
-extern template class TheirNodes<2>;
-extern template class TheirNodes<3>;
-
 }  // namespace kerf

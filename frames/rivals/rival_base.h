@@ -70,7 +70,4 @@ class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<
   std::size_t left_ = 0;        ///< candidates likewise
 };
 
-extern template class RivalBase<2>;
-extern template class RivalBase<3>;
-
 }  // namespace kerf

@@ -34,7 +34,4 @@ class PanesFilm : public Film {
   SideBySide<D> broad_phases_;
 };
 
-extern template class PanesFilm<2>;
-extern template class PanesFilm<3>;
-
 }  // namespace kerf

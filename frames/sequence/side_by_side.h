@@ -39,7 +39,4 @@ class SideBySide final : public BroadPhase<D> {
   std::size_t steps_ = 0;
 };
 
-extern template class SideBySide<2>;
-extern template class SideBySide<3>;
-
 }  // namespace kerf

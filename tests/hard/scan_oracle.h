@@ -36,7 +36,4 @@ class ScanOracle final : public BroadPhase<D> {
   std::vector<Pair> pairs_;
 };
 
-extern template class ScanOracle<2>;
-extern template class ScanOracle<3>;
-
 }  // namespace kerf::test

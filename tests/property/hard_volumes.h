@@ -55,7 +55,4 @@ class HardVolumes {
 template <int D>
 std::vector<Vector<D>> hard_directions(std::uint32_t count, Random& random);
 
-extern template class HardVolumes<2>;
-extern template class HardVolumes<3>;
-
 }  // namespace kerf::test

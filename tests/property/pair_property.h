@@ -50,7 +50,4 @@ class PairProperty {
   PropertyCount count_;
 };
 
-extern template class PairProperty<2>;
-extern template class PairProperty<3>;
-
 }  // namespace kerf::test

@@ -66,7 +66,4 @@ class MovingBoxes {
   std::vector<ObjectId> damaged_;
 };
 
-extern template class MovingBoxes<2>;
-extern template class MovingBoxes<3>;
-
 }  // namespace kerf::test

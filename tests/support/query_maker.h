@@ -37,7 +37,4 @@ class QueryMaker {
   Random random_;
 };
 
-extern template class QueryMaker<2>;
-extern template class QueryMaker<3>;
-
 }  // namespace kerf::test

@@ -39,7 +39,4 @@ class CameraPath {
   double last_step_ = -1;
 };
 
-extern template class CameraPath<2>;
-extern template class CameraPath<3>;
-
 }  // namespace kerf

@@ -71,7 +71,4 @@ class FramePlanner {
   FramePlan<D> plan_;
 };
 
-extern template class FramePlanner<2>;
-extern template class FramePlanner<3>;
-
 }  // namespace kerf

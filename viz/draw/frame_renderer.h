@@ -139,7 +139,4 @@ class FrameRenderer {
   std::unique_ptr<State> state_;
 };
 
-extern template class FrameRenderer<2>;
-extern template class FrameRenderer<3>;
-
 }  // namespace kerf

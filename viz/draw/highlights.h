@@ -56,7 +56,4 @@ class Highlights {
 void draw_highlights(const View& view, double line_scale, const std::vector<Highlight>& highlights,
                      Batch& batch, DrawList* list = nullptr);
 
-extern template class Highlights<2>;
-extern template class Highlights<3>;
-
 }  // namespace kerf

@@ -31,7 +31,4 @@ class PanesRenderer {
   std::unique_ptr<State> state_;
 };
 
-extern template class PanesRenderer<2>;
-extern template class PanesRenderer<3>;
-
 }  // namespace kerf

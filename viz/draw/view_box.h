@@ -45,9 +45,4 @@ class SceneBox {
   bool has_action_ = false;
 };
 
-extern template class SceneBox<2>;
-extern template class SceneBox<3>;
-extern template class ViewBox<2>;
-extern template class ViewBox<3>;
-
 }  // namespace kerf

@@ -59,7 +59,4 @@ class Pile : public Motion<D> {
   std::vector<Vector<D>> spouts_;
 };
 
-extern template class Pile<2>;
-extern template class Pile<3>;
-
 }  // namespace kerf

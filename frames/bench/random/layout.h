@@ -42,7 +42,4 @@ Box<D> box_at(const Place<D>& center, const Place<D>& half) {
   return box;
 }
 
-extern template LaidOut<2> lay_out(const RandomScene&, std::uint32_t, Random&);
-extern template LaidOut<3> lay_out(const RandomScene&, std::uint32_t, Random&);
-
 }  // namespace kerf

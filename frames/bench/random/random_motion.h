@@ -13,7 +13,4 @@ namespace kerf {
 template <int D>
 std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene, std::uint32_t steps = 0);
 
-extern template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&, std::uint32_t);
-extern template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&, std::uint32_t);
-
 }  // namespace kerf

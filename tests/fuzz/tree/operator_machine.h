@@ -57,7 +57,4 @@ class OperatorMachine {
   std::string last_;  ///< what was done last
 };
 
-extern template class OperatorMachine<2>;
-extern template class OperatorMachine<3>;
-
 }  // namespace kerf::test

@@ -27,7 +27,4 @@ class VolumeReader {
   HardVolumes<D> hard_;
 };
 
-extern template class VolumeReader<2>;
-extern template class VolumeReader<3>;
-
 }  // namespace kerf::test

@@ -53,9 +53,6 @@ class Crowd {
   std::vector<Member> members_;
 };
 
-extern template class Crowd<2>;
-extern template class Crowd<3>;
-
 /// The smallest side of a lattice of D dimensions with at least `count` cells.
 template <int D>
 std::uint32_t lattice_side(std::uint32_t count) {

@@ -136,7 +136,4 @@ class RunOf final : public Run {
   std::optional<std::uint64_t> before_of_;  ///< the event of `before_`
 };
 
-extern template class RunOf<2>;
-extern template class RunOf<3>;
-
 }  // namespace kerf

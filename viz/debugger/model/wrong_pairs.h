@@ -45,7 +45,4 @@ class WrongPairWalk {
   std::size_t at_ = 0;  ///< a pair can be wrong in a step more than once: this is the one last gone to
 };
 
-extern template std::vector<WrongPair> find_wrong_pairs<2>(const RecordingReader<2>&);
-extern template std::vector<WrongPair> find_wrong_pairs<3>(const RecordingReader<3>&);
-
 }  // namespace kerf

@@ -40,7 +40,4 @@ class Orbit {
   CameraChoice<D> choice_;
 };
 
-extern template class Orbit<2>;
-extern template class Orbit<3>;
-
 }  // namespace kerf

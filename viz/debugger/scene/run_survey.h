@@ -17,7 +17,4 @@ struct RunSurvey {
 template <int D>
 RunSurvey<D> survey(RunOf<D>& run);
 
-extern template RunSurvey<2> survey(RunOf<2>& run);
-extern template RunSurvey<3> survey(RunOf<3>& run);
-
 }  // namespace kerf

@@ -138,7 +138,4 @@ class SceneViewOf final : public SceneView {
   Overlay triad_;
 };
 
-extern template class SceneViewOf<2>;
-extern template class SceneViewOf<3>;
-
 }  // namespace kerf
