@@ -1,6 +1,5 @@
 #include "sims3d/geoms.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>

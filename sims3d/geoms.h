@@ -1,6 +1,5 @@
 #pragma once
 
-#include <vector>
 
 #include "core/geometry/box.h"
 #include "core/geometry/volume.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/query/expression_lexer.h"
 #include "core/query/expression_units.h"

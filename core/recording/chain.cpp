@@ -5,7 +5,6 @@
 #include <bit>
 #include <memory>
 #include <new>
-#include <string>
 #include <vector>
 
 #include "core/recording/their_structure.h"

@@ -3,7 +3,6 @@
 #include <sqlite3.h>
 
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <limits>

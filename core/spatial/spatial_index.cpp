@@ -1,7 +1,6 @@
 #include "core/spatial/spatial_index.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <functional>

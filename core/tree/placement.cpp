@@ -1,6 +1,5 @@
 #include "core/tree/placement.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 

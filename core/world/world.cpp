@@ -1,7 +1,6 @@
 #include "core/world/world.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "core/base/float_mode.h"

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <span>
 
 #include "core/objects/broad_phase.h"
 #include "frames/bench/step_block.h"

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 
 #include "core/base/counted.h"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>

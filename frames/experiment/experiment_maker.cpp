@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <map>
-#include <new>
 #include <stdexcept>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 namespace kerf {

@@ -1,7 +1,6 @@
 #include "frames/import/shown_objects.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "core/scene/pose_in_box.h"
 

@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <optional>
 
 #include "frames/python/arrays.h"
 #include "frames/python/bindings.h"

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
 #include "frames/support/errors.h"
 #include "frames/support/outputs.h"

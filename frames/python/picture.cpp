@@ -1,7 +1,6 @@
 #include "frames/python/picture.h"
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "frames/sequence/recording_picture.h"

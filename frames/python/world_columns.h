@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "core/world/object_def.h"
 #include "frames/python/world.h"

@@ -1,6 +1,5 @@
 #include "frames/report/take.h"
 
-#include <stdexcept>
 #include <string>
 #include <variant>
 

@@ -1,7 +1,6 @@
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <array>
-#include <cmath>
 
 #include "frames/rivals/makers.h"
 #include "frames/rivals/query_tests.h"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "core/replay/recorded_looks.h"
 #include "core/replay/replayer.h"

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <optional>
 #include <string>
 #include <system_error>
 

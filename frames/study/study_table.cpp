@@ -1,7 +1,6 @@
 #include "frames/study/study_table.h"
 
 #include <algorithm>
-#include <initializer_list>
 
 #include "core/recording/database.h"
 

@@ -1,6 +1,5 @@
 #include "frames/support/disk_advice.h"
 
-#include <cerrno>
 #include <system_error>
 
 namespace kerf {

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <mutex>
 #include <unordered_set>
-#include <vector>
 
 #include "sims2d/box2d/box2d_contacts.h"
 

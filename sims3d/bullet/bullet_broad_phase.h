@@ -5,7 +5,6 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <stdexcept>

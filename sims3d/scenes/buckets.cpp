@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/scene_entries.h"

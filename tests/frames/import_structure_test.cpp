@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
-#include <string_view>
 #include <vector>
 
 #include "tests/frames/import_program.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 
 #include "core/recording/recording_reader.h"
 #include "tests/frames/program.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <map>
 
 #include "core/recording/compression.h"
 #include "tests/frames/program.h"

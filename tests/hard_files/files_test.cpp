@@ -11,7 +11,6 @@
 #include <fstream>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "frames/sequence/manifest.h"
 #include "frames/support/errors.h"

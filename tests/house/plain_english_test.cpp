@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <regex>
 #include <string>
-#include <vector>
 
 #include "tests/house/project_files.h"
 

@@ -1,9 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "tests/house/project_files.h"
 

@@ -1,7 +1,6 @@
 #include "tests/outputs/walk.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <fstream>
 #include <map>

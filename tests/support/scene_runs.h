@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string_view>
 #include <vector>
 
 #include "core/bsp/bsp.h"

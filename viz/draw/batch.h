@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <vector>
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "viz/draw/flow.h"
 #include "viz/draw/overlay.h"

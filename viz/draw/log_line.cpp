@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "core/base/counted.h"
 #include "viz/draw/flow.h"

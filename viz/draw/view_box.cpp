@@ -1,7 +1,6 @@
 #include "viz/draw/view_box.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <vector>

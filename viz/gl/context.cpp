@@ -3,7 +3,6 @@
 #include <malloc.h>
 
 #include <cstdlib>
-#include <stdexcept>
 
 #include "viz/gl/egl_context.h"
 #include "viz/gl/osmesa_context.h"

@@ -1,6 +1,5 @@
 #include "viz/image/flip_color.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace kerf::flip_color {

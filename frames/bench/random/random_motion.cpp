@@ -1,7 +1,6 @@
 #include "frames/bench/random/random_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>

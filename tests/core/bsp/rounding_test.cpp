@@ -1,9 +1,7 @@
 // The caller's rounding mode: pairs are those of the boxes in each, also where boxes touch.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cfenv>
-#include <cmath>
 #include <vector>
 
 #include "core/bsp/bsp.h"

@@ -5,10 +5,7 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
-#include <span>
-#include <tuple>
 #include <vector>
 
 #include "core/base/random.h"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "core/recording/recorder.h"
 #include "core/recording/recording_reader.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 
 #include "core/scene/bounding.h"
 #include "tests/support/crowd_shapes.h"

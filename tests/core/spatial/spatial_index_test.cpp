@@ -1,6 +1,5 @@
 #include "core/spatial/spatial_index.h"
 
-#include <cmath>
 #include <limits>
 #include <thread>
 

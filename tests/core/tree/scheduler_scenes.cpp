@@ -1,6 +1,5 @@
 #include "tests/core/tree/scheduler_scenes.h"
 
-#include <utility>
 
 namespace kerf::test {
 namespace {

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
-#include <string>
 
 namespace {
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 
 #include "frames/bench/truth.h"
 #include "tests/support/dimensions.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <stdexcept>
 
 #include "tests/fuzz/parsers/parser_cases.h"

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 
 #include "core/tree/partitioner.h"
 #include "tests/support/dimensions.h"

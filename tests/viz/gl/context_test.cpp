@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <stdexcept>
-#include <vector>
 
 #include "tests/viz/message_of.h"
 #include "viz/gl/framebuffer.h"

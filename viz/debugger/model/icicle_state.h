@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "viz/debugger/model/run.h"

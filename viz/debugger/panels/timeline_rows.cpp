@@ -1,6 +1,5 @@
 #include "viz/debugger/panels/timeline_rows.h"
 
-#include <array>
 
 #include "core/base/counted.h"
 #include "core/trace/event_facts.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"

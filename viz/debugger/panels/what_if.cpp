@@ -1,4 +1,3 @@
-#include <stdexcept>
 
 #include "core/trace/event_facts.h"
 #include "viz/debugger/gui/widgets.h"

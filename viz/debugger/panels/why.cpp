@@ -1,6 +1,5 @@
 #include <regex>
 #include <set>
-#include <stdexcept>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/copying.h"
