@@ -11,7 +11,7 @@
 #include "frames/study/estimate.h"
 #include "frames/study/feed.h"
 #include "frames/study/measure.h"
-#include "frames/support/hex.h"
+#include "core/recording/recording_info.h"
 
 namespace kerf {
 namespace {
@@ -98,7 +98,7 @@ class Counts {
     errors_.extra += difference.extra;
   }
   [[nodiscard]] Json json(const Measures& measures) const {
-    Json counts{{"bodies", bodies_}, {"pairs", pairs_}, {"pairs_hash", hex(hash_)}};
+    Json counts{{"bodies", bodies_}, {"pairs", pairs_}, {"pairs_hash", to_hex(hash_)}};
     if (measures.counts) {
       counts["candidates"] = structure_.candidates ? Json(candidates_) : Json();
       const bool is_tree = structure_.leaves > 0;

@@ -5,7 +5,7 @@
 #include "frames/page/page.h"
 #include "frames/study/study_plot.h"
 #include "frames/study/summary.h"
-#include "frames/support/hex.h"
+#include "core/recording/recording_info.h"
 
 namespace kerf {
 namespace {
@@ -98,7 +98,7 @@ std::string study_page(const Study& study, const JoinedStudy& joined, const std:
       "Bars are 95 % confidence intervals of the mean (Student's t). With several seeds each seed's mean "
       "over its repeats is one sample; with one seed each repeat is. Without a bar there is one sample. "
       "Curves stand a little aside of each other, so that their bars are seen.");
-  page.paragraph("All settings and counts have the hash " + hex(counts_hash(joined)) +
+  page.paragraph("All settings and counts have the hash " + to_hex(counts_hash(joined)) +
                  "; it does not depend on who measured them.");
   std::size_t number = 0;
   for (const StudyComparison& comparison : comparisons(joined))
