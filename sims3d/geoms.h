@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "core/geometry/box.h"
 #include "core/geometry/volume.h"
 #include "core/scene/shape.h"

@@ -68,6 +68,11 @@ inline constexpr float kLeastWay = 0.9F;
 /// the way is so many times as long. A way that long is a shift; a shorter one may be a flow past others.
 inline constexpr float kAlike = 1.0F / 8;
 inline constexpr float kWayOfShift = 8;
+/// Lists of kept pairs have gaps that rounding may close in so many shifts, if these are less than a part of
+/// the boxes' size; if few shifts would do, they have none (ShiftPass).
+inline constexpr float kShiftsOfSlack = 32;
+inline constexpr float kLeastShiftsOfSlack = 2;
+inline constexpr float kSlacksPerSize = 16;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.
 inline constexpr float kHotShare = 0.03F;
 /// The same while skins learn how thick they must be, for the first `kLearningSteps`.

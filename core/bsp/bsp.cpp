@@ -201,10 +201,11 @@ void Bsp<D, Trace>::place() {
   const Mode mode = modes_.mode();
   const bool rows = mode == Mode::swept && tests <= tuning::kRowTests;
   swept_.begin_step(tree_, requests_.changed(), rows);
-  if (shift) shift_planes(tree_, *shift);
+  const bool keeps_on = mode == Mode::kept && before == Mode::kept;
+  if (shift && !keeps_on) shift_planes(tree_, *shift);
   const StepContext<D> context{config_, tree_, requests_, workers_, step_, shift};
   if (mode == Mode::kept) {
-    placed_ = kept_.place(context, before != Mode::kept, reporter_);
+    placed_ = kept_.place(context, !keeps_on, reporter_);
     modes_.note_cost(kept_.cost());
   } else if (rows && before == Mode::swept && requests_.are_moves()) {
     SweptStep<D>::move_in_root(context);

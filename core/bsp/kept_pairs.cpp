@@ -49,17 +49,24 @@ void view_restless(const KeptLeaf<D>& leaf, const ObjectTable<D>& table, LeafVie
   for (const auto& [object, apart] : leaf.restless) push_back(view, table.packed({object}), {object}, apart);
 }
 
-/// The entries that come and are kept; the others go into the leaf's list of restless entries.
 template <int D>
-void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat, KeptLeaf<D>& leaf,
-                 LeafView<D>& view) {
+PackedBox<D> widened(PackedBox<D> box, Scalar by) {
+  for (Scalar& lane : box.lane) lane -= by;
+  return box;
+}
+
+/// The entries that come and are kept, with the slack around them; the others go into the leaf's list of
+/// restless entries.
+template <int D>
+void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat, Scalar slack,
+                 KeptLeaf<D>& leaf, LeafView<D>& view) {
   view.resize(0);
   for (const EntryChange& change : changes) {
     if (!change.comes) continue;
     if (change.restless) {
       leaf.restless.push_back({change.object.value, change.apart});
     } else {
-      push_back(view, fat.packed(change.object), change.object, change.apart);
+      push_back(view, widened(fat.packed(change.object), slack), change.object, change.apart);
     }
   }
 }
@@ -86,6 +93,24 @@ Pair* begin_list(std::vector<Pair>& list, std::size_t count, Pair& nowhere) {
   if (count == 0) return &nowhere;
   list.resize(count + 1);
   return list.data();
+}
+
+/// Takes those pairs of objects without fat out of the buffer whose boxes do not overlap: they were found
+/// because of the slack. `has_fat` and `id_of` are asked about names.
+template <int D, class HasFat, class IdOf>
+void take_near(PairBuffer& pairs, const KeptObjects<D>& objects, HasFat has_fat, IdOf id_of,
+               std::vector<Pair>& near) {
+  std::size_t written = 0;
+  for (const Pair pair : std::as_const(pairs).all()) {
+    const Pair two = make_pair(id_of(pair.a), id_of(pair.b));
+    if (has_fat(pair.a) || has_fat(pair.b) ||
+        overlaps(objects.fat.packed(two.a), objects.fat.packed(two.b))) {
+      pairs.all()[written++] = pair;
+    } else {
+      near.push_back(two);
+    }
+  }
+  pairs.truncate(written);
 }
 
 /// Takes the first pairs of fat boxes of a leaf, named by places. They get no room for more, since most
@@ -175,6 +200,19 @@ void KeptPairs<D>::clear() {
   changes_.clear();
   touched_.clear();
   resting_.clear();
+  shift_.reset();
+  drift_ = 0;
+  outdated_ = false;
+}
+
+template <int D>
+void KeptPairs<D>::shift(const Vector<D>& by, Scalar drift, Scalar slack) {
+  shift_ = by;
+  drift_ += drift;
+  if (drift_ < slack_) return;
+  outdated_ = true;
+  slack_ = slack;
+  drift_ = 0;
 }
 
 template <int D>
@@ -208,6 +246,8 @@ void KeptPairs<D>::find(const Tree<D>& tree, const KeptObjects<D>& objects, Work
   resting_.end_step(tree, leaves_, pairs);
   for (const NodeId leaf : touched_) changes_[leaf.index()].clear();
   touched_.clear();
+  shift_.reset();
+  outdated_ = false;
 }
 
 /// The pairs of a leaf that is up to date.
@@ -223,10 +263,10 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
   if (objects.far) ask_for_boxes(leaf, objects.latest);
   filter_candidates<D>(leaf, objects.latest.packed(), scratch.gathered, pairs);
   if (leaf.restless.empty()) return;
+  renew_bytes(leaf, objects.fat.packed());
   view_restless(leaf, objects.latest, scratch.view);
   append_entries(scratch.view, leaf);
-  probe_last(leaf, scratch.view.size(), objects.latest.packed(), Names::objects, scratch.byte_sweep.found,
-             pairs);
+  probe_last(leaf, scratch.view, objects.latest.packed(), Names::objects, scratch.byte_sweep.found, pairs);
   drop_last(leaf, scratch.view.size());
 }
 
@@ -239,24 +279,44 @@ void KeptPairs<D>::renew(const Tree<D>& tree, const Objects& objects, NodeId id,
   KeptLeaf<D>& leaf = leaves_[id];
   if (leaves_.has(tree, id) && leaf.swept && are_many(leaf.restless_entries, entries, true)) return;
   const bool patch_pays = changes.size() * tuning::kEntriesPerPatch <= entries;
-  if (leaf.swept || !leaves_.is_current(tree, id) || !patch_pays) {
+  if (outdated_ || leaf.swept || !leaves_.is_current(tree, id) || !patch_pays) {
     sweep(tree, objects, id, scratch);
-  } else if (!changes.empty()) {
-    patch(objects, changes, scratch);
+  } else {
+    if (shift_) come_along(objects, leaf);
+    if (!changes.empty()) patch(objects, changes, scratch);
   }
   if (are_many(leaf.restless.size(), entries, false)) begin_sweeping(leaf, leaf.restless.size());
+}
+
+/// What overlapped still does; rounding may have let others touch.
+template <int D>
+void KeptPairs<D>::come_along(const Objects& objects, KeptLeaf<D>& leaf) const {
+  leaf.bytes.origin = moved(leaf.bytes.origin, PackedBox<D>({*shift_, *shift_}));
+  leaf.outdated = true;
+  std::erase_if(leaf.near, [&](const Pair& pair) {
+    const bool touch = overlaps(objects.fat.packed(pair.a), objects.fat.packed(pair.b));
+    if (touch) leaf.resting.push_back(pair);
+    return touch;
+  });
 }
 
 template <int D>
 void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[changes.front().leaf];
   drop_going(changes, objects.fat.bound(), scratch);
-  view_coming(changes, objects.fat, leaf, scratch.view);
+  view_coming(changes, objects.fat, slack_, leaf, scratch.view);
   if (scratch.view.size() == 0) return;
+  renew_bytes(leaf, objects.fat.packed());
   append_entries(scratch.view, leaf);
   scratch.pairs.clear();
-  probe_last(leaf, scratch.view.size(), objects.fat.packed(), leaf.names, scratch.byte_sweep.found,
-             scratch.pairs);
+  probe_last(leaf, scratch.view, objects.fat.packed(), leaf.names, scratch.byte_sweep.found, scratch.pairs);
+  if (slack_ > 0) {
+    const auto id_of = [&](ObjectId name) {
+      return leaf.names == Names::objects ? name : ObjectId{leaf.objects[name.index()]};
+    };
+    const auto has_fat = [&](ObjectId name) { return objects.has_fat(id_of(name)); };
+    take_near(scratch.pairs, objects, has_fat, id_of, leaf.near);
+  }
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
@@ -297,7 +357,14 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id,
   leaf.names = exceeds(objects.latest.packed(), tuning::kOwnPages) ? Names::places : Names::objects;
   mark_fat(objects, scratch.view, scratch.has_fat);
   name_by_places(scratch.view);
+  if (slack_ > 0)
+    for (PackedBox<D>& box : scratch.view.boxes) box = widened(box, slack_ / 2);
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
+  if (slack_ > 0) {
+    const auto id_of = [&](ObjectId place) { return ObjectId{leaf.objects[place.index()]}; };
+    const auto has_fat = [&](ObjectId place) { return scratch.has_fat[place.index()] != 0; };
+    take_near(scratch.pairs, objects, has_fat, id_of, leaf.near);
+  }
   keep_first_pairs<D>(std::as_const(scratch.pairs).all(), scratch.has_fat, leaf);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,6 +70,10 @@ class KeptPairs {
   [[nodiscard]] bool are_many_restless(const Tree<D>& tree, NodeId leaf, std::size_t count) const;
   /// Call it before placement with the number of restless entries of the leaf.
   void note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count);
+  /// Call it before placement if the tree's boxes moved by the vector, each number rounded. `drift`: by how
+  /// much gaps may have shrunk. What is kept holds on as long as all that gaps may have shrunk is less than
+  /// the slack that its leaves have; else all are swept in the next `find`, and have this `slack`.
+  void shift(const Vector<D>& by, Scalar drift, Scalar slack);
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
   /// Brings the kept pairs up to date with the tree, whose table has the fat boxes, and makes all pairs of
@@ -81,6 +86,7 @@ class KeptPairs {
   using Changes = std::span<const EntryChange>;
   using Objects = KeptObjects<D>;
   void renew(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
+  void come_along(const Objects& objects, KeptLeaf<D>& leaf) const;
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
   void drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch);
   void sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
@@ -91,6 +97,10 @@ class KeptPairs {
   std::vector<std::vector<EntryChange>> changes_;  ///< by node
   std::vector<NodeId> touched_;                    ///< leaves that have changes
   RestingPairs<D> resting_;
+  std::optional<Vector<D>> shift_;  ///< of the next `find`
+  Scalar slack_ = 0;                ///< resting pairs with a gap up to this are listed, too
+  Scalar drift_ = 0;                ///< by how much gaps may have shrunk since
+  bool outdated_ = false;           ///< all leaves are swept in the next `find`
 };
 
 }  // namespace kerf

@@ -1,11 +1,9 @@
 #include "core/bsp/kept_step.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/base/tuning.h"
-#include "core/bsp/common_motion.h"
 #include "core/bsp/leaf_boxes.h"
 #include "core/bsp/place_boxes.h"
 #include "core/bsp/view_leaf.h"
@@ -13,25 +11,6 @@
 #include "core/tree/placement.h"
 
 namespace kerf {
-namespace {
-
-/// The fat box of an object that came along with a shift: its own at another place, if it holds the new box.
-/// One that had no fat has none now. Returns false if there is none.
-template <int D>
-bool shift_fat_box(const PackedBox<D>& fat, const PackedBox<D>& before, const PackedBox<D>& box,
-                   const PackedBox<D>& by, PackedBox<D>& result) {
-  result = box;
-  if (is_same(fat, before)) return true;
-  bool holds = true;
-  for (std::size_t k = 0; k < box.lane.size(); ++k) {
-    result.lane[k] = fat.lane[k] + by.lane[k];
-    holds &= (result.lane[k] <= box.lane[k]) & (result.lane[k] >= std::numeric_limits<Scalar>::lowest());
-  }
-  return holds;
-}
-
-}  // namespace
-
 template <int D>
 template <class Trace>
 std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Reporter<Trace>& reporter) {
@@ -42,10 +21,16 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
     return place_all(step, many_stay, reporter);
   }
   list_sleepers(step);
-  if (step.shift) shift_restless(step);
+  if (step.shift) {
+    if (!shift_pass_.run(step)) {
+      kept_.clear();
+      return place(step, true, reporter);
+    }
+    kept_.shift(*step.shift, shift_pass_.drift(), shift_pass_.slack());
+  }
   follow_restless(step);
   make_fat_boxes(step);
-  if (!step.shift && !step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
+  if (!step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
     return place_changed(step, reporter);
   const bool many_stay = may_stay(step);
   take_fat_boxes(step);
@@ -129,25 +114,12 @@ void KeptStep<D>::follow_restless(const StepContext<D>& step) {
   cost_ = restless_pass_.cost();
 }
 
-/// Restless objects come along, so that most of them are in their leaves still.
-template <int D>
-void KeptStep<D>::shift_restless(const StepContext<D>& step) {
-  const std::span<const ObjectFlags> flags = std::as_const(step.requests).flags();
-  ObjectTable<D>& table = step.tree.table;
-  for (std::uint32_t id = 0; id < std::min(flags.size(), table.bound()); ++id) {
-    if (flags[id] != flag::kUnrequested || !table.is_placed({id})) continue;
-    const Box<D> box = shifted(table.box({id}), *step.shift);
-    if (is_valid(box)) table.widen({id}, box);
-  }
-}
-
 /// The new fat boxes of the objects that left theirs, into fat_.
 template <int D>
 void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();
   const ObjectTable<D>& table = step.tree.table;
   const std::span<const ObjectId> changed = step.requests.changed();
-  const PackedBox<D> by = step.shift ? PackedBox<D>({*step.shift, *step.shift}) : PackedBox<D>();
   skins_.resize(latest.bound());
   fat_.resize(changed.size());
   step.pool().for_slices(changed.size(), [&](const Slice& slice, std::size_t) {
@@ -155,17 +127,16 @@ void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
     for (std::size_t k = slice.begin; k < slice.end; ++k) {
       const ObjectId object = changed[k];
       const PackedBox<D>& before = step.requests.before()[k];
-      const bool stays = table.is_placed(object) && latest.is_placed(object);
-      const bool is_shifted = step.shift && stays && (flags[object.index()] & flag::kUnrequested) == 0;
-      if (is_shifted && shift_fat_box(table.packed(object), before, latest.packed(object), by, fat_[k]))
+      if (flags[object.index()] == flag::kMisplaced) {  // and has the right box
+        fat_[k] = table.packed(object);
         continue;
+      }
       Skin& skin = skins_[object.index()];
       if (!table.is_placed(object)) skin.restless = 0;  // from an earlier life
       if (skin.is_restless()) flags[object.index()] |= flag::kWasRestless;
       if (latest.is_placed(object)) {
         const bool had_fat = table.is_placed(object) && !is_same(table.packed(object), before);
-        const Box<D> from = is_shifted ? shifted(before.unpack(), *step.shift) : before.unpack();
-        fat_[k] = PackedBox<D>(make_fat_box(step, object, from, had_fat));
+        fat_[k] = PackedBox<D>(make_fat_box(step, object, before.unpack(), had_fat));
       } else {
         skin.restless = 0;
       }
@@ -230,7 +201,11 @@ void KeptStep<D>::find_places(const StepContext<D>& step, std::size_t k, FatPiec
   const std::size_t entered = piece.entered.size();
   piece.old_places.clear();
   piece.new_places.clear();
-  if (was_placed) reach(tree, tree.table.box(object), piece.old_places, piece.left);
+  if ((step.requests.flags()[object.index()] & flag::kMisplaced) != 0) {
+    shift_pass_.append_places(object, piece.old_places, piece.left);
+  } else if (was_placed) {
+    reach(tree, tree.table.box(object), piece.old_places, piece.left);
+  }
   if (is_placed) reach(tree, fat_[k].unpack(), piece.new_places, piece.entered);
   note_entries(step, object, piece);
   if (piece.old_places == piece.new_places) {

@@ -7,6 +7,7 @@
 #include "core/bsp/fat_piece.h"
 #include "core/bsp/kept_pairs.h"
 #include "core/bsp/restless_pass.h"
+#include "core/bsp/shift_pass.h"
 #include "core/bsp/step_context.h"
 #include "core/objects/skin.h"
 #include "core/trace/reporter.h"
@@ -40,7 +41,6 @@ class KeptStep {
                                     bool had_fat);
   void make_all_fat(const StepContext<D>& step);
   void list_sleepers(const StepContext<D>& step);
-  void shift_restless(const StepContext<D>& step);
   void follow_restless(const StepContext<D>& step);
   void make_fat_boxes(const StepContext<D>& step);
   void take_fat_boxes(const StepContext<D>& step) const;
@@ -58,6 +58,7 @@ class KeptStep {
   std::vector<Skin> skins_;        ///< by object
   std::vector<PackedBox<D>> fat_;  ///< of the changed objects, in their order
   std::vector<FatPiece> pieces_;
+  ShiftPass<D> shift_pass_;
   RestlessPass<D> restless_pass_;
   KeptPairs<D> kept_;
   float cost_ = 0;

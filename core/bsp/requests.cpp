@@ -88,6 +88,19 @@ void Requests<D>::add(ObjectId object, ObjectFlags flags, const PackedBox<D>& be
 }
 
 template <int D>
+void Requests<D>::forget_unchanged() {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < changed_.size(); ++k) {
+    const ObjectId object = changed_.all()[k];
+    if (flags_[object.index()] == 0) continue;
+    changed_.all()[kept] = object;
+    before_.all()[kept++] = before_.all()[k];
+  }
+  changed_.truncate(kept);
+  before_.truncate(kept);
+}
+
+template <int D>
 void Requests<D>::finish_step(std::span<const Skin> skins, TaskPool& pool) {
   settle(skins, pool);
   changed_.clear();

@@ -41,6 +41,7 @@ class Requests {
   [[nodiscard]] std::span<const ObjectId> changed() const { return changed_.all(); }
   /// While pairs are kept: the boxes from which the changed objects moved, in the same order.
   [[nodiscard]] std::span<const PackedBox<D>> before() const { return before_.all(); }
+  [[nodiscard]] std::span<PackedBox<D>> before() { return before_.all(); }
   /// Whether more objects changed than this share of all.
   [[nodiscard]] bool exceed(float share) const {
     return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
@@ -53,6 +54,8 @@ class Requests {
   [[nodiscard]] std::span<const ObjectFlags> flags() const { return flags_; }
   /// Lists an object as changed though it was not requested.
   void add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
+  /// Takes those off the list that have no flag any more.
+  void forget_unchanged();
   /// There are flags for all objects from now on.
   void make_room() { flags_.resize(latest_.bound(), flag::kUnplaced); }
   /// The flags of an object of which nothing is pending. `skins`: of all objects while pairs are kept, else

@@ -45,6 +45,14 @@ constexpr bool is_same(const PackedBox<D>& a, const PackedBox<D>& b) {
   return differ == 0;
 }
 
+/// `by` is a packed box whose ends are both the vector. As floats round.
+template <int D>
+constexpr PackedBox<D> moved(const PackedBox<D>& box, const PackedBox<D>& by) {
+  PackedBox<D> result;
+  for (std::size_t i = 0; i < box.lane.size(); ++i) result.lane[i] = box.lane[i] + by.lane[i];
+  return result;
+}
+
 template <int D>
 constexpr bool contains(const PackedBox<D>& outer, const PackedBox<D>& inner) {
   bool all = true;

@@ -35,6 +35,16 @@ HWY_INLINE void append(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 }
 
 template <int D>
+HWY_INLINE void renew(KeptLeaf<D>& leaf, const PackedBox<D>* boxes) {
+  const ByteMap<D> map(leaf.bytes);
+  const std::size_t n = leaf.objects.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    prefetch(boxes + leaf.objects[std::min(k + tuning::kPrefetchAhead, n - 1)]);
+    store_key(leaf, k, byte_key<D>(map(boxes[leaf.objects[k]])));
+  }
+}
+
+template <int D>
 HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
   const Bytes bytes;
   Probe<D> probe;
@@ -49,31 +59,35 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
 
 /// Not inlined, and takes the findings by value: the loop that calls it then keeps everything in registers.
 template <bool Places, int D>
-HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes, Found found,
-                             PairBuffer& pairs) {
+HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const LeafView<D>& last, const PackedBox<D>* boxes,
+                             Found found, PairBuffer& pairs) {
   const auto entry = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k)
                          HWY_ATTR {
                            return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
                          };
-  confirm<D>(found, entry, entry, pairs);
+  const auto row = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes = last.boxes.data(),
+                    begin = leaf.objects.size() - last.size()](std::uint32_t k) HWY_ATTR {
+    return EntryRef<D>{boxes[k - begin], Places ? k : objects[k], apart[k]};
+  };
+  confirm<D>(found, row, entry, pairs);
 }
 
 /// Looks up each of the last entries among those before it.
 template <bool Places, int D>
-HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& room,
-                          PairBuffer& pairs) {
+HWY_INLINE void probe_all(KeptLeaf<D>& leaf, const LeafView<D>& last, const PackedBox<D>* boxes,
+                          Findings& room, PairBuffer& pairs) {
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
   Found found(room);
-  for (auto i = static_cast<std::uint32_t>(n - count); i < n; ++i) {
+  for (auto i = static_cast<std::uint32_t>(n - last.size()); i < n; ++i) {
     const Probe<D> probe = make_probe<D>(leaf, i);
     for (std::uint32_t j = 0; j < i; j += 64) {
       found.add(overlap_bits(probe, j) & first_bits(i - j), i, j);
       if (!found.is_full()) continue;
-      confirm_in<Places>(leaf, boxes, found, pairs);
+      confirm_in<Places>(leaf, last, boxes, found, pairs);
       found.clear();
     }
   }
-  confirm_in<Places>(leaf, boxes, found, pairs);
+  confirm_in<Places>(leaf, last, boxes, found, pairs);
 }
 
 /// The first of `n` numbers from `k` on that is one of those wanted, or n.
@@ -196,19 +210,21 @@ ByteScale<2> scale_2(const LeafView<2>& view) { return make_byte_scale(view); }
 ByteScale<3> scale_3(const LeafView<3>& view) { return make_byte_scale(view); }
 void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
 void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
+void renew_2(KeptLeaf<2>& leaf, const PackedBox<2>* boxes) { renew(leaf, boxes); }
+void renew_3(KeptLeaf<3>& leaf, const PackedBox<3>* boxes) { renew(leaf, boxes); }
 template <int D>
-HWY_INLINE void probe(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Names names,
+HWY_INLINE void probe(KeptLeaf<D>& leaf, const LeafView<D>& last, const PackedBox<D>* boxes, Names names,
                       Findings& found, PairBuffer& pairs) {
-  names == Names::places ? probe_all<true>(leaf, count, boxes, found, pairs)
-                         : probe_all<false>(leaf, count, boxes, found, pairs);
+  names == Names::places ? probe_all<true>(leaf, last, boxes, found, pairs)
+                         : probe_all<false>(leaf, last, boxes, found, pairs);
 }
-void probe_2(KeptLeaf<2>& leaf, std::size_t count, const PackedBox<2>* boxes, Names names, Findings& found,
-             PairBuffer& pairs) {
-  probe(leaf, count, boxes, names, found, pairs);
+void probe_2(KeptLeaf<2>& leaf, const LeafView<2>& last, const PackedBox<2>* boxes, Names names,
+             Findings& found, PairBuffer& pairs) {
+  probe(leaf, last, boxes, names, found, pairs);
 }
-void probe_3(KeptLeaf<3>& leaf, std::size_t count, const PackedBox<3>* boxes, Names names, Findings& found,
-             PairBuffer& pairs) {
-  probe(leaf, count, boxes, names, found, pairs);
+void probe_3(KeptLeaf<3>& leaf, const LeafView<3>& last, const PackedBox<3>* boxes, Names names,
+             Findings& found, PairBuffer& pairs) {
+  probe(leaf, last, boxes, names, found, pairs);
 }
 void filter_2(const KeptLeaf<2>& leaf, const PackedBox<2>* boxes, std::vector<PackedBox<2>>& gathered,
               PairBuffer& pairs) {
@@ -235,6 +251,8 @@ HWY_EXPORT(scale_2);
 HWY_EXPORT(scale_3);
 HWY_EXPORT(append_2);
 HWY_EXPORT(append_3);
+HWY_EXPORT(renew_2);
+HWY_EXPORT(renew_3);
 HWY_EXPORT(probe_2);
 HWY_EXPORT(probe_3);
 HWY_EXPORT(filter_2);
@@ -275,10 +293,12 @@ void move_entry(KeptLeaf<D>& leaf, std::size_t from, std::size_t to) {
 
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+  leaf.outdated = false;
   leaf.objects.clear();
   leaf.apart.clear();
   leaf.resting.pairs.clear();
   leaf.candidates.clear();
+  leaf.near.clear();
   leaf.restless.clear();
   if constexpr (D == 2) {
     leaf.bytes = HWY_DYNAMIC_DISPATCH(scale_2)(view);
@@ -306,6 +326,17 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 }
 
 template <int D>
+void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes) {
+  if (!leaf.outdated) return;
+  leaf.outdated = false;
+  if constexpr (D == 2) {
+    HWY_DYNAMIC_DISPATCH(renew_2)(leaf, boxes.data());
+  } else {
+    HWY_DYNAMIC_DISPATCH(renew_3)(leaf, boxes.data());
+  }
+}
+
+template <int D>
 void drop_objects(KeptLeaf<D>& leaf, std::span<const std::uint32_t> objects) {
   for (const std::uint32_t object : objects) {
     const auto place = static_cast<std::uint32_t>(HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object));
@@ -318,6 +349,7 @@ void drop_objects(KeptLeaf<D>& leaf, std::span<const std::uint32_t> objects) {
     HWY_DYNAMIC_DISPATCH(rename)(leaf.candidates, last, place);
   }
   HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.resting.pairs, objects, &leaf.resting.changed);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.near, objects, nullptr);
   if (leaf.names == Names::objects) HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, objects, nullptr);
 }
 
@@ -328,8 +360,9 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
   };
   const std::size_t before = leaf.objects.size();
   drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
-  drop_pairs_if(leaf.resting.pairs,
-                [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
+  const auto is_marked = [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; };
+  drop_pairs_if(leaf.resting.pairs, is_marked);
+  drop_pairs_if(leaf.near, is_marked);
   leaf.resting.all_changed();  // nearly all
   std::vector<std::uint32_t> place(before);
   std::uint32_t left = 0;
@@ -349,12 +382,12 @@ void drop_last(KeptLeaf<D>& leaf, std::size_t count) {
 }
 
 template <int D>
-void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
+void probe_last(KeptLeaf<D>& leaf, const LeafView<D>& last, std::span<const PackedBox<D>> boxes, Names names,
                 Findings& found, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, count, boxes.data(), names, found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, last, boxes.data(), names, found, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, count, boxes.data(), names, found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, last, boxes.data(), names, found, pairs);
   }
 }
 
@@ -368,15 +401,16 @@ void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> bo
   }
 }
 
-#define KERF_INSTANTIATE(D)                                                                               \
-  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                          \
-  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                      \
-  template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                            \
-  template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                              \
-  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                                  \
-  template void probe_last<D>(KeptLeaf<D>&, std::size_t, std::span<const PackedBox<D>>, Names, Findings&, \
-                              PairBuffer&);                                                               \
-  template void filter_candidates<D>(const KeptLeaf<D>&, std::span<const PackedBox<D>>,                   \
+#define KERF_INSTANTIATE(D)                                                                           \
+  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                      \
+  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                  \
+  template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                        \
+  template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                          \
+  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                              \
+  template void renew_bytes<D>(KeptLeaf<D>&, std::span<const PackedBox<D>>);                          \
+  template void probe_last<D>(KeptLeaf<D>&, const LeafView<D>&, std::span<const PackedBox<D>>, Names, \
+                              Findings&, PairBuffer&);                                                \
+  template void filter_candidates<D>(const KeptLeaf<D>&, std::span<const PackedBox<D>>,               \
                                      std::vector<PackedBox<D>>&, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

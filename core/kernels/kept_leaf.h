@@ -32,12 +32,14 @@ enum class Names : std::uint8_t {
 template <int D>
 struct KeptLeaf {
   ByteScale<D> bytes;
+  bool outdated = false;  ///< the boxes moved with the scale since the entries' bytes were made
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
   RestingList resting;           ///< pairs of objects without fat
   std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
+  std::vector<Pair> near;        ///< of objects without fat, whose boxes a shift may let touch
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
   bool swept = false;  ///< nothing is kept, since too many are restless: the leaf is swept in each step
@@ -52,6 +54,9 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
+/// Makes the bytes of all entries anew if they are outdated. `boxes` is by object.
+template <int D>
+void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes);
 /// Removes the entries of a few objects, as far as there are any, and their pairs; the last entries take
 /// their places.
 template <int D>
@@ -63,10 +68,10 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks);
 template <int D>
 void drop_last(KeptLeaf<D>& leaf, std::size_t count);
 
-/// Appends the pairs of each of the last entries with all entries before it. `boxes`, by object, are those
-/// with which the entries were appended, or boxes inside of those.
+/// Appends the pairs of each of the last entries, which are those of the view, with all entries before it.
+/// `boxes`, by object, are those with which these were appended, or boxes inside of those.
 template <int D>
-void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
+void probe_last(KeptLeaf<D>& leaf, const LeafView<D>& last, std::span<const PackedBox<D>> boxes, Names names,
                 Findings& found, PairBuffer& pairs);
 /// Appends those of the candidates whose boxes overlap. `boxes` is by object; `gathered` is room for those of
 /// the leaf. If candidates are named by places, each box is read from the table only once.

@@ -21,6 +21,9 @@ inline constexpr ObjectFlags kWrapAnew = 4;
 inline constexpr ObjectFlags kWasRestless = 8;
 /// It is in the list of changed objects though it was not moved: it rests, and loses its fat.
 inline constexpr ObjectFlags kAtRest = 16;
+/// It is in the list of changed objects, and its entries are not in the leaves that its box reaches: the
+/// origin was moved (see ShiftPass).
+inline constexpr ObjectFlags kMisplaced = 32;
 /// Its moves request nothing: its box is taken, and the tree follows it by itself. Restless objects have this
 /// bit while pairs are kept.
 inline constexpr ObjectFlags kUnrequested = 64;

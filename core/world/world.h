@@ -183,8 +183,9 @@ class World {
   std::vector<WorldPair> next_pairs_;
   std::vector<WorldPair> next_begun_;
   std::vector<WorldPair> next_ended_;
-  std::vector<ObjectId> ids_;  ///< of one call
-  std::vector<Pair> kept_;     ///< of one step: pairs that kinds and filters allow
+  std::vector<ObjectId> ids_;      ///< of one call
+  std::vector<Box<D>> fat_boxes_;  ///< of one call
+  std::vector<Pair> kept_;         ///< of one step: pairs that kinds and filters allow
 };
 
 }  // namespace kerf

@@ -14,18 +14,18 @@ WorldStatus World<D>::shift_origin(const Vector<D>& by) {
   for (const Scalar along : by.value)
     if (!std::isfinite(along)) return WorldStatus::bad_value;
   const DefaultFloats floats;
-  std::vector<Box<D>> fat_boxes;
-  fat_boxes.reserve(size());
+  fat_boxes_.clear();
+  fat_boxes_.reserve(size());
   ids_.clear();
   ids_.reserve(size());
   bool in_range = true;
   for_each([&](Handle object) {
     const ObjectId id{object.index()};
     ids_.push_back(id);
-    fat_boxes.push_back(shifted(tree_->objects().box(id), by));
+    fat_boxes_.push_back(shifted(tree_->objects().box(id), by));
     in_range &= is_valid(shifted(exact_box(id), by));
   });
-  move_listed(fat_boxes);
+  move_listed(fat_boxes_);
   if (margins_ > 0) {
     for (const ObjectId id : ids_) {
       if (!is_thick(defs_[id.index()].margin)) continue;

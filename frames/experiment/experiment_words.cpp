@@ -1,6 +1,5 @@
 #include "frames/experiment/experiment_words.h"
 
-
 #include "core/base/counted.h"
 #include "frames/experiment/run_measures.h"
 #include "frames/experiment/spread.h"

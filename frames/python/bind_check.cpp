@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 
-
 #include "frames/python/arrays.h"
 #include "frames/python/bindings.h"
 #include "frames/python/check.h"

@@ -1,6 +1,5 @@
 #include "frames/python/config_from.h"
 
-
 #include "frames/catalog/algorithm.h"
 
 namespace kerf::python {

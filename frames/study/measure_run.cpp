@@ -5,13 +5,13 @@
 
 #include "core/base/median.h"
 #include "core/recording/chain.h"
+#include "core/recording/recording_info.h"
 #include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/study/estimate.h"
 #include "frames/study/feed.h"
 #include "frames/study/measure.h"
-#include "core/recording/recording_info.h"
 
 namespace kerf {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <set>
 
+#include "core/recording/recording_info.h"
 #include "frames/page/page.h"
 #include "frames/study/study_plot.h"
 #include "frames/study/summary.h"
-#include "core/recording/recording_info.h"
 
 namespace kerf {
 namespace {

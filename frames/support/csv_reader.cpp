@@ -1,6 +1,5 @@
 #include "frames/support/csv_reader.h"
 
-
 #include "frames/support/errors.h"
 
 namespace kerf {

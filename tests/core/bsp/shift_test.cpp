@@ -47,9 +47,17 @@ class ShiftedWorld {
     }
     if (jump) boxes_[jump->first] = boxes_[jump->second];
     EXPECT_EQ(tree_.move_many(ids_, boxes_), Status::ok);
-    tree_.step();
-    EXPECT_TRUE(same_pairs(tree_.pairs(), oracle_pairs(tree_.objects())));
-    EXPECT_TRUE(validate(tree_.tree()).empty());
+    check_step();
+  }
+  /// One step, in which every tenth object is not named and stays where it is, and all others move by the
+  /// vector.
+  void leave_some_behind(const Vector<D>& by) {
+    for (std::uint32_t id = 0; id < ids_.size(); ++id) {
+      if (id % 10 == 3) continue;
+      boxes_[id] = {boxes_[id].min + by, boxes_[id].max + by};
+      EXPECT_EQ(tree_.move({id}, boxes_[id]), Status::ok);
+    }
+    check_step();
   }
   /// The object goes, and comes back at the place of another before the next step.
   void renew(std::uint32_t id, std::uint32_t place, Mobility mobility) {
@@ -87,6 +95,12 @@ class ShiftedWorld {
   Random& random() { return random_; }
 
  private:
+  void check_step() {
+    tree_.step();
+    EXPECT_TRUE(same_pairs(tree_.pairs(), oracle_pairs(tree_.objects())));
+    EXPECT_TRUE(validate(tree_.tree()).empty());
+  }
+
   Random random_{11};
   double moving_;
   double reach_;
@@ -112,6 +126,83 @@ TYPED_TEST(Shifts, PairsAreThoseOfTheBoxesWhereverTheOriginIs) {
       }
     }
   }
+}
+
+/// Bricks at rest with gaps that many a shift closes, and some that come to rest or begin to move beside
+/// them. Gaps of one unit in the last place are closed by the first shift that is far enough, others only by
+/// several.
+TYPED_TEST(Shifts, RoundingLetsBoxesTouchThatRest) {
+  constexpr int kD = TypeParam::value;
+  Random random(3);
+  std::vector<ObjectId> ids;
+  std::vector<Box<kD>> bricks;
+  Bsp<kD> tree(leaves_of_32());
+  const auto side = static_cast<std::uint32_t>(kD == 2 ? 24 : 8);
+  for (std::uint32_t id = 0; id < (kD == 2 ? side * side : side * side * side); ++id) {
+    Box<kD> brick;
+    for (std::uint32_t axis = 0, rest = id; axis < kD; ++axis, rest /= side) {
+      const auto at = static_cast<float>(rest % side) - 0.4F * static_cast<float>(side);
+      brick.min[axis] = at + static_cast<float>(random.uniform(0, 2e-6));
+      brick.max[axis] = at + 1 - static_cast<float>(random.uniform(0, 1e-5));
+    }
+    ids.push_back({id});
+    bricks.push_back(brick);
+    ASSERT_EQ(tree.insert({id}, brick, Mobility::moving), Status::ok);
+  }
+  Vector<kD> origin;
+  std::size_t least = bricks.size() * bricks.size();
+  std::size_t most = 0;
+  for (int k = 0; k < 400; ++k) {
+    Vector<kD> by;
+    if (k > 40 && k % 5 == 0) by = random_point<kD>(random, -60, 60) - origin;
+    origin = origin + by;
+    const auto nudged = static_cast<std::size_t>(random.uniform(0, static_cast<double>(bricks.size())));
+    for (std::size_t id = 0; id < bricks.size(); ++id) {
+      const Vector<kD> way = id == nudged ? random_point<kD>(random, -1e-6, 1e-6) + by : by;
+      bricks[id] = {bricks[id].min + way, bricks[id].max + way};
+    }
+    ASSERT_EQ(tree.move_many(ids, bricks), Status::ok);
+    tree.step();
+    ASSERT_TRUE(same_pairs(tree.pairs(), oracle_pairs(tree.objects()))) << "step " << k;
+    ASSERT_TRUE(validate(tree.tree()).empty()) << "step " << k;
+    ASSERT_TRUE(k <= 40 || tree.mode() == Mode::kept) << "step " << k;
+    least = std::min(least, tree.pairs().size());
+    most = std::max(most, tree.pairs().size());
+  }
+  EXPECT_LT(least, most / 2);
+}
+
+/// The gaps are wider than what near shifts could close.
+TYPED_TEST(Shifts, AFarOneLetsMoreTouchThanNearOnes) {
+  constexpr int kD = TypeParam::value;
+  Random random(9);
+  std::vector<ObjectId> ids;
+  std::vector<Box<kD>> boxes;
+  Bsp<kD> tree(leaves_of_32());
+  for (std::uint32_t id = 0; id < 400; ++id) {
+    Box<kD> box = random_box<kD>(random, 10, 0.5);
+    if (id % 2 == 1) {  // beside the one before
+      box = boxes.back();
+      box.min[0] = box.max[0] + static_cast<float>(random.uniform(1.4e-4, 2e-4));
+      box.max[0] = box.min[0] + 0.5F;
+    }
+    ids.push_back({id});
+    boxes.push_back(box);
+    ASSERT_EQ(tree.insert({id}, box, Mobility::moving), Status::ok);
+  }
+  std::size_t near = 0;
+  for (int k = 0; k < 80; ++k) {
+    Vector<kD> by;
+    if (k > 40 && k % 4 == 0) by[0] = k % 8 == 0 ? 2.0F : -2.0F;
+    if (k == 78) by[0] = 3000;
+    if (k == 77) near = tree.pairs().size();
+    for (Box<kD>& box : boxes) box = {box.min + by, box.max + by};
+    ASSERT_EQ(tree.move_many(ids, boxes), Status::ok);
+    tree.step();
+    ASSERT_TRUE(same_pairs(tree.pairs(), oracle_pairs(tree.objects()))) << "step " << k;
+    ASSERT_TRUE(k <= 40 || tree.mode() == Mode::kept) << "step " << k;
+  }
+  EXPECT_GT(tree.pairs().size(), near + 40);
 }
 
 /// Neither what is kept nor how the tree is divided is given up.
@@ -144,6 +235,20 @@ TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
     Vector<kD> by;
     by[0] = k % 2 == 0 ? 100 : -100;
     world.step(by, std::pair{8 * k + 1, 8 * k + 2});
+    EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
+    world.steps(5);
+  }
+}
+
+/// By a shift that leaves some of them among the others, and by a far one.
+TYPED_TEST(Shifts, WhatDoesNotMoveStays) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.01, 0.01);
+  world.steps(40);
+  for (int k = 0; k < 10; ++k) {
+    Vector<kD> by;
+    by[k % kD] = k % 4 == 3 ? 100.0F : 2.0F;
+    world.leave_some_behind(by);
     EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
     world.steps(5);
   }

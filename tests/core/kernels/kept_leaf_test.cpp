@@ -47,10 +47,10 @@ KeptLeaf<D> leaf_of(const LeafView<D>& view, Names names) {
 
 /// Makes candidates of the pairs of the last entries with all before them.
 template <int D>
-void take_candidates(KeptLeaf<D>& leaf, std::size_t count, const std::vector<PackedBox<D>>& boxes) {
+void take_candidates(KeptLeaf<D>& leaf, const LeafView<D>& last, const std::vector<PackedBox<D>>& boxes) {
   Findings found{};
   PairBuffer pairs;
-  probe_last<D>(leaf, count, boxes, Names::places, found, pairs);
+  probe_last<D>(leaf, last, boxes, Names::places, found, pairs);
   for (const Pair& pair : pairs.all()) {
     const ObjectId a{leaf.objects[pair.a.index()]};
     const ObjectId b{leaf.objects[pair.b.index()]};
@@ -99,7 +99,7 @@ std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
   ByteSweep<D> sweep;
   PairBuffer pairs;
   sweep.find(part_of(leaf, 0, kept), pairs);
-  probe_last<D>(half, coming.size(), boxes, Names::objects, sweep.found, pairs);
+  probe_last<D>(half, coming, boxes, Names::objects, sweep.found, pairs);
   return to_vector(pairs);
 }
 
@@ -152,6 +152,34 @@ TYPED_TEST(KeptLeaves, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
   }
 }
 
+/// Far away boxes are rounded, so that many touch: what comes then finds them by their bytes.
+TYPED_TEST(KeptLeaves, WhatComesAfterAShiftFindsItsPartners) {
+  constexpr int kD = TypeParam::value;
+  Random random(7);
+  for (const float way : {0.3F, 1e6F, -2e7F}) {
+    LeafView<kD> all = draw_leaf<kD>(Spread::even, 300, random);
+    Vector<kD> vector;
+    for (int axis = 0; axis < kD; ++axis) vector[axis] = way;
+    const PackedBox<kD> by({vector, vector});
+    for (const std::string& name : kernels()) {
+      use_kernel(name);
+      KeptLeaf<kD> leaf = leaf_of(part_of(all, 0, 200), Names::objects);
+      LeafView<kD> there = all;
+      for (PackedBox<kD>& box : there.boxes) box = moved(box, by);
+      const std::vector<PackedBox<kD>> boxes = by_object(there);
+      leaf.bytes.origin = moved(leaf.bytes.origin, by);
+      leaf.outdated = true;
+      renew_bytes<kD>(leaf, boxes);
+      append_entries(part_of(there, 200, 300), leaf);
+      take_candidates(leaf, part_of(there, 200, 300), boxes);
+      std::vector<Pair> found = filtered(leaf, boxes);
+      const std::vector<Pair> first = expected_pairs(part_of(there, 0, 200));
+      found.insert(found.end(), first.begin(), first.end());
+      EXPECT_EQ(difference(found, expected_pairs(there)), "") << name << ", " << way;
+    }
+  }
+}
+
 /// One by one and many at once, while others come.
 TYPED_TEST(KeptLeaves, WhatGoesTakesItsPairsAlong) {
   constexpr int kD = TypeParam::value;
@@ -163,8 +191,8 @@ TYPED_TEST(KeptLeaves, WhatGoesTakesItsPairsAlong) {
       SCOPED_TRACE(testing::Message() << name << ", names " << static_cast<int>(names));
       use_kernel(name);
       KeptLeaf<kD> leaf = leaf_of(part_of(all, 0, 200), names);
-      take_candidates(leaf, 200, boxes);
-      leaf.resting.pairs = expected_pairs(part_of(all, 0, 200));
+      take_candidates(leaf, part_of(all, 0, 200), boxes);
+      leaf.resting.pairs = leaf.near = expected_pairs(part_of(all, 0, 200));
       std::set<ObjectId> gone;
       std::vector<std::uint32_t> going;
       for (std::size_t k = 0; k < 40; ++k) {
@@ -183,8 +211,9 @@ TYPED_TEST(KeptLeaves, WhatGoesTakesItsPairsAlong) {
       const std::vector<Pair> left = expected_pairs(without(part_of(all, 0, 200), gone));
       ASSERT_EQ(difference(filtered(leaf, boxes), left), "");
       ASSERT_EQ(difference(leaf.resting.pairs, left), "");
+      ASSERT_EQ(difference(leaf.near, left), "");
       append_entries(part_of(all, 200, 300), leaf);
-      take_candidates(leaf, 100, boxes);
+      take_candidates(leaf, part_of(all, 200, 300), boxes);
       ASSERT_EQ(difference(filtered(leaf, boxes), expected_pairs(without(all, gone))), "");
       std::vector<std::uint8_t> marks(kIds, 0);
       for (std::size_t k = 0; k < 300; k += 3) {

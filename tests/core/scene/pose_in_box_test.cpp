@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "core/scene/bounding.h"
 #include "tests/support/crowd_shapes.h"
 #include "tests/support/dimensions.h"

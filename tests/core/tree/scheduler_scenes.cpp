@@ -1,6 +1,5 @@
 #include "tests/core/tree/scheduler_scenes.h"
 
-
 namespace kerf::test {
 namespace {
 

@@ -1,7 +1,6 @@
 // Queries on the boxes of every hard case, in each kind of volume, after each of its steps:
 // HardQueries/2D.box and so on. A query is about the boxes of the objects, whatever the volumes in them.
 
-
 #include "core/bsp/bsp.h"
 #include "core/spatial/spatial_index.h"
 #include "core/spatial/tree_walk.h"

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "core/tree/partitioner.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"

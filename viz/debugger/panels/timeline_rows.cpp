@@ -1,6 +1,5 @@
 #include "viz/debugger/panels/timeline_rows.h"
 
-
 #include "core/base/counted.h"
 #include "core/trace/event_facts.h"
 #include "viz/debugger/model/event_kinds.h"

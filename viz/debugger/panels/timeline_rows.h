@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 

@@ -1,0 +1,300 @@
+#include "core/bsp/shift_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/median.h"
+#include "core/base/tuning.h"
+#include "core/bsp/sample_place.h"
+#include "core/kernels/prefetch.h"
+#include "core/objects/skin.h"
+#include "core/tree/cell.h"
+
+namespace kerf {
+namespace {
+
+/// The box around all of them, packed: the least of each lane.
+template <int D>
+void join(PackedBox<D>& all, const PackedBox<D>& box) {
+  for (std::size_t k = 0; k < box.lane.size(); ++k)
+    all.lane[k] = box.lane[k] < all.lane[k] ? box.lane[k] : all.lane[k];
+}
+
+template <int D>
+PackedBox<D> nothing() {
+  PackedBox<D> none;
+  none.lane.fill(std::numeric_limits<Scalar>::infinity());
+  return none;
+}
+
+/// The largest coordinate of a box.
+template <int D>
+Scalar reach_of(const Box<D>& box) {
+  Scalar reach = 0;
+  for (int axis = 0; axis < D; ++axis)
+    reach = std::max({reach, std::abs(box.min[axis]), std::abs(box.max[axis])});
+  return reach;
+}
+
+template <int D>
+PackedBox<D> vector_of(const StepContext<D>& step) {
+  return PackedBox<D>({*step.shift, *step.shift});
+}
+
+/// The distance of two floats beside a number, or more.
+Scalar spacing(Scalar reach) { return reach * std::numeric_limits<Scalar>::epsilon(); }
+
+/// The size of most boxes, or less; 0 if there is none.
+template <int D>
+Scalar typical_size(const ObjectTable<D>& table) {
+  std::vector<double> sizes;
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(tuning::kMotionSample, table.bound()); ++k) {
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(k, table.bound()))};
+    if (!table.is_placed(object)) continue;
+    sizes.push_back(size_and_speed(table.packed(object), table.packed(object)).size);
+  }
+  return static_cast<Scalar>(median(std::move(sizes)));
+}
+
+/// Whether an object that went to `now` needs no more than that its fat box moves by the vector. One without
+/// fat goes on to have none.
+template <int D>
+bool comes_along(const PackedBox<D>& fat, const PackedBox<D>& before, const PackedBox<D>& now,
+                 const PackedBox<D>& by) {
+  const PackedBox<D> there = moved(fat, by);
+  return is_same(fat, before) ? is_same(there, now) : contains(there, now);
+}
+
+template <int D>
+void list_ancestors(const Tree<D>& tree, NodeId leaf, std::vector<LeafAncestor<D>>& ancestors) {
+  ancestors.clear();
+  for (NodeId id = tree[leaf].parent; !id.is_none(); id = tree[id].parent) {
+    const DepthMask bit = depth_bit(tree[id].depth);
+    ancestors.push_back({tree[id].plane, tree[id].direction, bit, (tree[leaf].right_of & bit) != 0});
+  }
+}
+
+/// Whether the leaf below these ancestors has the entry of an object with this box, with these bits.
+template <int D>
+bool is_in_place(const std::vector<LeafAncestor<D>>& ancestors, DepthMask straddle, const Box<D>& box) {
+  bool all = true;
+  for (const auto& [plane, direction, bit, is_right] : ancestors) {
+    const Sides sides = classify(project(direction, plane.normal, box), plane.offset);
+    const bool straddles = (straddle & bit) != 0;
+    all &= sides.right == (straddles | is_right) && sides.left == (straddles | !is_right);
+  }
+  return all;
+}
+
+}  // namespace
+
+template <int D>
+bool ShiftPass<D>::run(const StepContext<D>& step) {
+  misplaced_.clear();
+  reached_.clear();
+  passed_.clear();
+  if (!measure(step)) return false;
+  find_left_behind(step);
+  let_go(step);
+  swap_planes(step.tree);
+  find_misplaced(step);
+  if (!misplaced_.empty()) note_places(step);
+  move_table(step);
+  list_changed(step);
+  return true;
+}
+
+template <int D>
+Scalar ShiftPass<D>::drift() const {
+  return spacing(reach_before_) + spacing(reach_after_);
+}
+
+template <int D>
+Scalar ShiftPass<D>::slack() const {
+  const Scalar slack =
+      std::min(tuning::kShiftsOfSlack * 2 * spacing(reach_after_), size_ / tuning::kSlacksPerSize);
+  return slack > tuning::kLeastShiftsOfSlack * 2 * spacing(reach_after_) ? slack : 0;
+}
+
+/// Computes where the partitioners go, and how large coordinates and boxes are. Returns false if a number is
+/// not finite.
+template <int D>
+bool ShiftPass<D>::measure(const StepContext<D>& step) {
+  const Tree<D>& tree = step.tree;
+  offsets_.assign(tree.slots(), 0);
+  bool are_finite = true;
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (tree[id].is_leaf()) return;
+    const Scalar offset = tree[id].plane.offset + dot(tree[id].plane.normal, *step.shift);
+    offsets_[id.index()] = offset;
+    are_finite &= std::isfinite(offset);
+  });
+  pieces_.resize(std::max(pieces_.size(), step.pool().slices_of(tree.table.bound())));
+  const std::size_t pieces =
+      step.pool().for_slices(tree.table.bound(), [&](const Slice& slice, std::size_t piece) {
+        PackedBox<D> all = nothing<D>();
+        for (std::size_t id = slice.begin; id < slice.end; ++id)
+          if (tree.table.is_placed({static_cast<std::uint32_t>(id)})) join(all, tree.table.packed()[id]);
+        pieces_[piece].all = all;
+      });
+  PackedBox<D> all = nothing<D>();
+  for (const Piece& piece : std::span(pieces_).first(pieces)) join(all, piece.all);
+  reach_before_ = reach_of(all.unpack());
+  reach_after_ = reach_of(moved(all, vector_of(step)).unpack());
+  size_ = typical_size(tree.table);
+  return are_finite && std::isfinite(reach_after_);
+}
+
+/// Objects that did not move, or not out of their fat boxes, are left behind if those go.
+template <int D>
+void ShiftPass<D>::find_left_behind(const StepContext<D>& step) {
+  left_behind_.clear();
+  const PackedBox<D> by = vector_of(step);
+  const std::span<const ObjectFlags> flags = std::as_const(step.requests).flags();
+  const ObjectTable<D>& latest = step.requests.latest();
+  const ObjectTable<D>& table = step.tree.table;
+  for (std::uint32_t id = 0; id < flags.size(); ++id) {
+    if (flags[id] != 0) continue;
+    const PackedBox<D>& now = latest.packed({id});
+    if (!comes_along(table.packed({id}), now, now, by)) left_behind_.push_back({id});
+  }
+}
+
+/// Of the changed objects those that came along are changed no more; the others moved from where the shift
+/// alone would have brought them.
+template <int D>
+void ShiftPass<D>::let_go(const StepContext<D>& step) {
+  Requests<D>& requests = step.requests;
+  const bool are_moves = requests.are_moves();
+  const ObjectTable<D>& latest = requests.latest();
+  const ObjectTable<D>& table = step.tree.table;
+  const auto stays = [&](ObjectId object) {
+    return table.is_placed(object) && latest.is_placed(object) &&
+           table.is_fixed(object) == latest.is_fixed(object);
+  };
+  step.pool().for_slices(requests.changed().size(), [&](const Slice& slice, std::size_t) {
+    const ObjectId* const changed = std::as_const(requests).changed().data();
+    const PackedBox<D>* const fat = table.packed().data();
+    const PackedBox<D>* const now = latest.packed().data();
+    PackedBox<D>* const before = requests.before().data();
+    ObjectFlags* const flags = requests.flags().data();
+    const PackedBox<D> by = vector_of(step);
+    for (std::size_t k = slice.begin; k < slice.end; ++k) {
+      const std::size_t id = changed[k].index();
+      if (flags[id] == flag::kChanged && (are_moves || stays(changed[k])) &&
+          comes_along(fat[id], before[k], now[id], by)) {
+        flags[id] = 0;
+      } else {
+        before[k] = moved(before[k], by);
+      }
+    }
+  });
+  requests.forget_unchanged();
+}
+
+/// Exchanges the tree's partitioners for those kept here.
+template <int D>
+void ShiftPass<D>::swap_planes(Tree<D>& tree) {
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (!tree[id].is_leaf()) std::swap(tree[id].plane.offset, offsets_[id.index()]);
+  });
+}
+
+/// By the partitioners after the shift and the boxes before it.
+template <int D>
+void ShiftPass<D>::find_misplaced(const StepContext<D>& step) {
+  const Tree<D>& tree = step.tree;
+  list_leaves(tree, leaves_);
+  pieces_.resize(std::max(pieces_.size(), step.pool().pieces()));
+  for (Piece& piece : pieces_) piece.misplaced.clear();
+  step.pool().for_each(step.pool().pieces(), [&](std::size_t piece, std::size_t) {
+    const Slice leaves = slice(leaves_.size(), step.pool().pieces(), piece);
+    for (std::size_t k = leaves.begin; k < leaves.end; ++k)
+      find_misplaced_in(step, leaves_[k], pieces_[piece]);
+  });
+  std::vector<ObjectId> all;
+  for (const Piece& piece : pieces_) all.insert(all.end(), piece.misplaced.begin(), piece.misplaced.end());
+  std::ranges::sort(all);
+  const auto others = std::ranges::unique(all);
+  all.erase(others.begin(), others.end());
+  for (const ObjectId object : all) misplaced_.push_back({object});
+}
+
+/// Most entries are of objects that lie wholly in the cell.
+template <int D>
+void ShiftPass<D>::find_misplaced_in(const StepContext<D>& step, NodeId leaf, Piece& piece) const {
+  const Tree<D>& tree = step.tree;
+  list_ancestors(tree, leaf, piece.ancestors);
+  const PackedBox<D> cell = cell_of(tree, leaf);
+  const PackedBox<D> by = vector_of(step);
+  const PackedBox<D>* const boxes = tree.table.packed().data();
+  const std::span<const Entry> entries = tree[leaf].entries;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    prefetch(boxes + entries[std::min(k + tuning::kPrefetchAhead, entries.size() - 1)].object.index());
+    const auto& [key, object, straddle] = entries[k];
+    const PackedBox<D> box = moved(boxes[object.index()], by);
+    if (straddle == 0 && contains(cell, box)) continue;
+    if (!is_in_place(piece.ancestors, straddle, box.unpack())) piece.misplaced.push_back(object);
+  }
+}
+
+/// Where misplaced objects have their entries: by partitioners and boxes before the shift.
+template <int D>
+void ShiftPass<D>::note_places(const StepContext<D>& step) {
+  swap_planes(step.tree);
+  for (Misplaced& object : misplaced_) {
+    reach(step.tree, step.tree.table.box(object.object), reached_, passed_);
+    object.reached = reached_.size();
+    object.passed = passed_.size();
+  }
+  swap_planes(step.tree);
+}
+
+template <int D>
+void ShiftPass<D>::move_table(const StepContext<D>& step) const {
+  ObjectTable<D>& table = step.tree.table;
+  const PackedBox<D> by = vector_of(step);
+  step.pool().for_slices(table.bound(), [&](const Slice& slice, std::size_t) {
+    for (std::size_t id = slice.begin; id < slice.end; ++id)
+      if (table.is_placed({static_cast<std::uint32_t>(id)}))
+        table.packed()[id] = moved(table.packed()[id], by);
+  });
+}
+
+/// Restless objects that are misplaced cannot be followed in their leaves.
+template <int D>
+void ShiftPass<D>::list_changed(const StepContext<D>& step) const {
+  Requests<D>& requests = step.requests;
+  for (const ObjectId object : left_behind_)
+    requests.add(object, flag::kChanged, requests.latest().packed(object));
+  for (const Misplaced& misplaced : misplaced_) {
+    ObjectFlags& flags = requests.flags()[misplaced.object.index()];
+    if ((flags & flag::kChanged) != 0) {
+      flags |= flag::kMisplaced;
+    } else {
+      const ObjectFlags why = flags == flag::kUnrequested ? flag::kChanged | flag::kUnrequested : 0;
+      requests.add(misplaced.object, static_cast<ObjectFlags>(why | flag::kMisplaced),
+                   step.tree.table.packed(misplaced.object));
+    }
+  }
+}
+
+template <int D>
+void ShiftPass<D>::append_places(ObjectId object, std::vector<Reached>& reached,
+                                 std::vector<NodeId>& passed) const {
+  const auto at = std::ranges::lower_bound(misplaced_, object, {}, &Misplaced::object);
+  const Misplaced begin = at == misplaced_.begin() ? Misplaced{} : *std::prev(at);
+  const auto copy = [](const auto& from, std::size_t first, std::size_t end, auto& to) {
+    const auto all = std::span(from);
+    to.insert(to.end(), all.begin() + first, all.begin() + end);
+  };
+  copy(reached_, begin.reached, at->reached, reached);
+  copy(passed_, begin.passed, at->passed, passed);
+}
+
+template class ShiftPass<2>;
+template class ShiftPass<3>;
+
+}  // namespace kerf

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/bsp/step_context.h"
+#include "core/geometry/packed_box.h"
+#include "core/geometry/plane.h"
+#include "core/tree/placement.h"
+
+namespace kerf {
+
+template <int D>
+struct LeafAncestor {
+  Plane<D> plane;
+  std::uint32_t direction = 0;
+  DepthMask bit = 0;
+  bool is_right = false;  ///< the leaf lies right of it
+};
+
+/// The origin is moved while pairs are kept (see `common_motion`). Before anything else the tree moves with
+/// all boxes of its table. Rounding keeps the order of numbers: fat boxes go on to hold their boxes, pairs to
+/// overlap. But numbers that differed may have become equal, so that some objects are *misplaced*: they reach
+/// other leaves than those that have their entries. These, and all that did not come along, are the changed
+/// objects of the step from then on. Its memory is kept between steps.
+template <int D>
+class ShiftPass {
+ public:
+  /// Returns false if something would leave the range of floats; then all is as before.
+  bool run(const StepContext<D>& step);
+
+  /// By how much a gap between two boxes may have shrunk by rounding, in units of length. It includes what
+  /// rounding may have done to a gap that was measured before.
+  [[nodiscard]] Scalar drift() const;
+  /// What gaps should be compared with, so that many a shift may follow: little as compared with the boxes.
+  /// 0 if rounding is not small as compared with them.
+  [[nodiscard]] Scalar slack() const;
+  /// Appends the leaves that have entries of a misplaced object, and all nodes on the way.
+  void append_places(ObjectId object, std::vector<Reached>& reached, std::vector<NodeId>& passed) const;
+
+ private:
+  /// Of one slice of objects or leaves.
+  struct Piece {
+    PackedBox<D> all;                        ///< around all boxes
+    std::vector<LeafAncestor<D>> ancestors;  ///< of one leaf
+    std::vector<ObjectId> misplaced;         ///< an object perhaps in several places
+  };
+  /// Where the places of a misplaced object end in the lists of all; they begin where those of the one before
+  /// end.
+  struct Misplaced {
+    ObjectId object;
+    std::size_t reached = 0;
+    std::size_t passed = 0;
+  };
+
+  bool measure(const StepContext<D>& step);
+  void find_left_behind(const StepContext<D>& step);
+  void let_go(const StepContext<D>& step);
+  void swap_planes(Tree<D>& tree);
+  void find_misplaced(const StepContext<D>& step);
+  void find_misplaced_in(const StepContext<D>& step, NodeId leaf, Piece& piece) const;
+  void note_places(const StepContext<D>& step);
+  void move_table(const StepContext<D>& step) const;
+  void list_changed(const StepContext<D>& step) const;
+
+  std::vector<Scalar> offsets_;  ///< of the partitioners, by node: those that the tree does not have
+  Scalar reach_before_ = 0;      ///< the largest coordinate of a box
+  Scalar reach_after_ = 0;
+  Scalar size_ = 0;  ///< a typical one
+  std::vector<Piece> pieces_;
+  std::vector<ObjectId> left_behind_;
+  std::vector<NodeId> leaves_;
+  std::vector<Misplaced> misplaced_;  ///< in ascending order
+  std::vector<Reached> reached_;
+  std::vector<NodeId> passed_;
+};
+
+extern template class ShiftPass<2>;
+extern template class ShiftPass<3>;
+
+}  // namespace kerf
