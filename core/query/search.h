@@ -27,6 +27,9 @@ class Search {
 
   explicit Search(std::shared_ptr<RecordingReader<D>> recording);
 
+  /// Of a part of a recording that has answered the expressions: where it lacks what they name, they do not
+  /// hold.
+  void take_all() { takes_all_ = true; }
   /// Throws std::invalid_argument for an expression about an object that the recording does not have, or
   /// about the other engine's pairs of an import that has none.
   void check(const Expression& expression);
@@ -74,6 +77,7 @@ class Search {
   std::unique_ptr<Replayer<D>> replayer_;  ///< null until it is needed
   std::vector<std::optional<double>> medians_;
   std::optional<std::uint32_t> object_bound_;  ///< none: not asked yet
+  bool takes_all_ = false;
   std::optional<bool> has_judgement_;  ///< whether `missed` and the like are known; none: not asked yet
 };
 

@@ -38,6 +38,7 @@ struct MinimizeRequest {
 template <int D>
 std::optional<Position> first_hit(const std::filesystem::path& path, const Expression& when) {
   Search<D> search(std::make_shared<RecordingReader<D>>(path));
+  search.take_all();
   return search.forward(when, Position::end_of(0));
 }
 
@@ -126,15 +127,36 @@ void check(const Expression& when) {
   if (asks_time) throw UsageError("--when: times differ from run to run; give a condition without them");
 }
 
+/// The test and the picture get names that the user did not give: they replace only what a test of ours shows
+/// to be of an earlier `minimize`.
+void check_free(const MinimizeRequest& request, bool overwrite) {
+  const bool has_test = is_test_of_scenario(request.test());
+  std::string in_the_way;
+  int count = 0;
+  for (const std::filesystem::path& file : {request.out, request.picture(), request.test()}) {
+    if (!std::filesystem::exists(file) || (overwrite && (has_test || file == request.out))) continue;
+    in_the_way += (count++ == 0 ? "" : ", ") + file.string();
+  }
+  if (count == 0) return;
+  const bool is_one = count == 1;
+  throw UsageError(
+      in_the_way +
+      (overwrite ? std::string(is_one ? " is" : " are") + " not of an earlier `kerf minimize` and " +
+                       (is_one ? "is" : "are") + " not replaced; choose another name"
+                 : std::string(is_one ? " exists" : " exist") + " already; choose another name, or replace " +
+                       (is_one ? "it" : "them") + " with --overwrite"));
+}
+
 Replace check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {
   if (request.out == request.picture() || request.out == request.test())
     throw UsageError("--out '" + request.out.string() +
                      "': the picture and the test get the names with .png and .cpp; choose another ending");
-  Outputs outputs({recording}, overwrite);
+  Outputs outputs({recording}, true);
   outputs.add_recording(request.out);
   outputs.add_file(request.picture());
   outputs.add_file(request.test());
-  return outputs.replace();
+  check_free(request, overwrite);
+  return replace_if(overwrite);
 }
 
 class MinimizeCommand final : public Command {

@@ -102,7 +102,8 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
   Search<D> search(recording);
   Position at = Position::end_of(request.reverse ? recording->steps() + 1 : 0);
   if (!request.from.empty()) at = parse_position("--from", request.from, *recording);
-  for (std::uint32_t hit = 0; hit < request.hits; ++hit) {
+  std::uint32_t hit = 0;
+  for (; hit < request.hits; ++hit) {
     const auto found = request.reverse ? search.backward(request.expression, at, progress)
                                        : search.forward(request.expression, at, progress);
     poll();
@@ -113,6 +114,10 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     print_moment(cursor, *found);
     at = *found;
   }
+  if (hit < request.hits)
+    std::fprintf(stderr, "there %s no more, of the %u that were asked for\n",
+                 (hit == 1 ? "is one moment and" : "are " + std::to_string(hit) + " moments and").c_str(),
+                 request.hits);
   if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture, request.replace);
 }
 

@@ -3,9 +3,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <string_view>
 
 namespace kerf {
 namespace {
+
+constexpr std::string_view kMark = "// Made by `kerf minimize`";
 
 std::string number(Scalar x) {
   if (std::isnan(x)) return "std::numeric_limits<float>::quiet_NaN()";
@@ -54,7 +58,7 @@ class TestText {
     const std::string d = std::to_string(D);
     const std::string kind =
         "*kerf::parse_volume_kind<" + d + ">(\"" + std::string(to_string(scenario_.info.volume)) + "\")";
-    return "// Made by `kerf minimize`: after its last step holds\n//   " + condition +
+    return std::string(kMark) + ": after its last step holds\n//   " + condition +
            "\n#include <gtest/gtest.h>\n\n#include <algorithm>\n#include <limits>\n#include <vector>\n\n"
            "#include \"core/broad_phase/brute_force.h\"\n#include \"core/bsp/bsp.h\"\n"
            "#include \"core/recording/step_requests.h\"\n\n"
@@ -157,6 +161,12 @@ class TestText {
 template <int D>
 std::string test_of_scenario(const Scenario<D>& scenario, const std::string& condition, std::uint64_t hash) {
   return TestText<D>(scenario).run(condition, hash);
+}
+
+bool is_test_of_scenario(const std::filesystem::path& file) {
+  std::string head(kMark.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kMark;
 }
 
 template std::string test_of_scenario<2>(const Scenario<2>&, const std::string&, std::uint64_t);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "core/query/scenario.h"
@@ -11,5 +12,8 @@ namespace kerf {
 /// it.
 template <int D>
 std::string test_of_scenario(const Scenario<D>& scenario, const std::string& condition, std::uint64_t hash);
+
+/// Whether the file begins as such a test does.
+bool is_test_of_scenario(const std::filesystem::path& file);
 
 }  // namespace kerf

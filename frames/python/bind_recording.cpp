@@ -119,7 +119,7 @@ std::unique_ptr<Opened> what_if(Opened& recording, const std::filesystem::path& 
 }
 
 bool has_moment(const std::filesystem::path& path, const std::string& condition) {
-  return open_recording(path)->find(condition, Position::end_of(0), false).has_value();
+  return open_part(path)->find(condition, Position::end_of(0), false).has_value();
 }
 
 std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, const std::filesystem::path& out,
@@ -138,11 +138,14 @@ std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, con
       return has_moment(path, condition);
     };
   } else {
-    still = [holds](const std::filesystem::path& path) {
-      const py::gil_scoped_acquire lock;
-      return static_cast<bool>(py::bool_(holds(open_recording(path))));  // as `if` would read it
+    const auto asked = [holds](std::unique_ptr<Opened> run) {
+      return static_cast<bool>(py::bool_(holds(std::move(run))));  // as `if` would read it
     };
-    if (!still(recording.path()))
+    still = [asked](const std::filesystem::path& path) {
+      const py::gil_scoped_acquire lock;
+      return asked(open_part(path));
+    };
+    if (!asked(open_recording(recording.path())))
       throw py::value_error(
           "holds: the function returns False for the whole recording, so there is nothing to minimise");
   }

@@ -65,8 +65,10 @@ PairWhy python_why(const PairExplanation<D>& found, const RecordingInfo& info) {
 template <int D>
 class RecordingOf final : public PythonRecording {
  public:
-  explicit RecordingOf(const std::filesystem::path& path)
-      : path_(path), reader_(of_recording([&] { return std::make_shared<RecordingReader<D>>(path); })) {}
+  RecordingOf(const std::filesystem::path& path, bool is_part)
+      : path_(path),
+        is_part_(is_part),
+        reader_(of_recording([&] { return std::make_shared<RecordingReader<D>>(path); })) {}
 
   [[nodiscard]] int dimension() const override { return D; }
   [[nodiscard]] std::filesystem::path path() const override { return path_; }
@@ -140,10 +142,9 @@ class RecordingOf final : public PythonRecording {
     const Expression expression = Expression::parse(condition);
     Interrupts interrupts;
     const auto found = undisturbed([&] {
-      if (!search_) search_.emplace(reader_);
       const auto progress = [&](std::uint32_t) { return !interrupts.requested(); };
-      return backward ? search_->backward(expression, from, progress)
-                      : search_->forward(expression, from, progress);
+      return backward ? search().backward(expression, from, progress)
+                      : search().forward(expression, from, progress);
     });
     interrupts.rethrow();
     return found;
@@ -156,10 +157,9 @@ class RecordingOf final : public PythonRecording {
                             "' is about single events, and values are those of steps");
     Interrupts interrupts;
     const auto values = undisturbed([&] {
-      if (!search_) search_.emplace(reader_);
       std::vector<double> found;
       for (std::uint32_t step = 1; step <= steps() && !interrupts.requested(); ++step)
-        found.push_back(search_->value(expression, Position::end_of(step)));
+        found.push_back(search().value(expression, Position::end_of(step)));
       return found;
     });
     interrupts.rethrow();
@@ -289,6 +289,12 @@ class RecordingOf final : public PythonRecording {
                            std::to_string(step));
   }
 
+  [[nodiscard]] Search<D>& search() {
+    if (!search_) search_.emplace(reader_);
+    if (is_part_) search_->take_all();
+    return *search_;
+  }
+
   /// Calls `work` while nothing else uses the recording and Python's other threads run.
   template <class Work>
   auto undisturbed(Work work) {
@@ -298,19 +304,26 @@ class RecordingOf final : public PythonRecording {
   }
 
   std::filesystem::path path_;
+  bool is_part_;
   std::shared_ptr<RecordingReader<D>> reader_;
   std::optional<Replayer<D>> replayer_;  ///< none: not needed so far
   std::optional<Search<D>> search_;
   bool in_use_ = false;
 };
 
+std::unique_ptr<PythonRecording> open(const std::filesystem::path& path, bool is_part) {
+  const int dimension = of_recording([&] { return read_recording_info(path).dimension; });
+  if (dimension == 2) return std::make_unique<RecordingOf<2>>(path, is_part);
+  return std::make_unique<RecordingOf<3>>(path, is_part);
+}
+
 }  // namespace
 
 std::unique_ptr<PythonRecording> open_recording(const std::filesystem::path& path) {
-  const int dimension = of_recording([&] { return read_recording_info(path).dimension; });
-  if (dimension == 2) return std::make_unique<RecordingOf<2>>(path);
-  return std::make_unique<RecordingOf<3>>(path);
+  return open(path, false);
 }
+
+std::unique_ptr<PythonRecording> open_part(const std::filesystem::path& path) { return open(path, true); }
 
 Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle_every) {
   Interrupts interrupts;

@@ -93,6 +93,8 @@ class PythonRecording {
 
 /// Opens a recording. Throws RecordingError.
 std::unique_ptr<PythonRecording> open_recording(const std::filesystem::path& path);
+/// The same for a part of one: what conditions name need not be in it.
+std::unique_ptr<PythonRecording> open_part(const std::filesystem::path& path);
 
 /// Replays a recording and compares it with itself and the oracle.
 Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle_every);

@@ -10,6 +10,7 @@
 namespace kerf::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 constexpr const char* kSplit = "op==split && kind==acted";
@@ -59,6 +60,23 @@ TEST_F(OutputProgram, MinimizeKeepsAnEarlierResultUntilThereIsANewOne) {
   ASSERT_EQ(run_kerf({"minimize", file("a"), "--when", kSplit, "-o", file("old"), "--overwrite"}).exit, 0);
   EXPECT_LT(RecordingReader<2>(file("old")).steps(), 20U);
   EXPECT_EQ(files(), (std::vector<std::string>{"a.kerf", "old.cpp", "old.kerf", "old.png"}));
+}
+
+/// Their names were not given, and may be those of a program that records itself.
+TEST_F(OutputProgram, MinimizeReplacesOnlyATestOfItsOwnAndThePictureBesideIt) {
+  record("sim");
+  std::ofstream(path("sim.cpp")) << "int main() {}";
+  std::ofstream(path("sim.png")) << "mine";
+  std::vector<std::string> words{"minimize", file("a"), "--when", kSplit, "-o", file("sim")};
+  EXPECT_THAT(refusal(words), AllOf(HasSubstr("sim.png, "), HasSubstr("sim.cpp exist already")));
+  words.emplace_back("--overwrite");
+  EXPECT_THAT(refusal(words), AllOf(HasSubstr("sim.png, "), HasSubstr("sim.cpp are not of an earlier")));
+  EXPECT_EQ(read_text(path("sim.cpp")), "int main() {}");
+  std::filesystem::remove(path("sim.cpp"));
+  EXPECT_THAT(refusal(words), HasSubstr("sim.png is not of an earlier"));
+  std::filesystem::remove(path("sim.png"));
+  EXPECT_EQ(run_kerf(words).exit, 0);
+  EXPECT_EQ(run_kerf(words).exit, 0) << "all of it is its own";
 }
 
 TEST_F(OutputProgram, MinimizeAsksBeforeItReplacesAPictureOrATest) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <memory>
 
 #include "core/recording/recording_reader.h"
+#include "core/replay/replayer.h"
 #include "tests/frames/program.h"
 #include "tests/support/recorded_crowd.h"
 
@@ -25,6 +27,23 @@ class QueryProgram : public ::testing::Test {
   }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.path() / (name + ".kerf"); }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] Pair pair_that_comes_and_goes() const {
+    const auto recording = std::make_shared<RecordingReader<2>>(file("a"));
+    Replayer<2> replayer(recording);
+    const auto at = [&](std::uint32_t step) {
+      replayer.seek(step);
+      std::vector<Pair> pairs(replayer.tree().pairs().begin(), replayer.tree().pairs().end());
+      std::ranges::sort(pairs);
+      return pairs;
+    };
+    const std::vector<Pair> last = at(60);
+    for (std::uint32_t step = 2; step < 60; ++step)
+      for (const Pair& pair : at(step))
+        if (!std::ranges::binary_search(at(1), pair) && !std::ranges::binary_search(last, pair)) return pair;
+    ADD_FAILURE() << "there is none";
+    return {};
+  }
 
  private:
   TemporaryFolder folder_;
@@ -54,6 +73,9 @@ TEST_F(QueryProgram, SaysWhenThereIsNoSuchMomentAndWhatIsWrongWithACondition) {
   EXPECT_THAT(wrong.err, HasSubstr("'redundncy' is not known"));
   EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--from", "61"}).exit, 2);
   EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--hits", "0"}).exit, 2);
+  EXPECT_THAT(run_kerf({"step", file("a"), "--to", "step<3", "--hits", "9"}).err,
+              HasSubstr("there are 2 moments and no more, of the 9 that were asked for"));
+  EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step<3", "--hits", "2"}).err, "");
   EXPECT_EQ(run_kerf({"step", file("b"), "--to", "step>3"}).exit, 2);
 }
 
@@ -321,6 +343,23 @@ TEST_F(QueryProgram, MinimizesToARecordingAPictureAndATest) {
       run_kerf({"minimize", file("a"), "--when", "step_time>2*median", "-o", file("none")});
   EXPECT_EQ(timed.exit, 2);
   EXPECT_THAT(timed.err, HasSubstr("times differ from run to run"));
+}
+
+/// Without the objects it names, a condition does not hold; of the whole recording it is refused.
+TEST_F(QueryProgram, MinimizesToTheObjectsThatAConditionNames) {
+  const auto [a, b] = pair_that_comes_and_goes();
+  const std::string names = std::to_string(a.value) + "," + std::to_string(b.value);
+  for (const std::string& when :
+       {"pair(" + names + ")", "pair(" + names + ") enters", "pair(" + names + ") leaves",
+        "object(" + std::to_string(a.value) + ") moves"}) {
+    const RunOutcome outcome =
+        run_kerf({"minimize", file("a"), "--when", when, "-o", file("small"), "--overwrite"});
+    ASSERT_EQ(outcome.exit, 0) << when << outcome.err;
+    EXPECT_EQ(run_kerf({"step", file("small"), "--to", when}).exit, 0) << when;
+    EXPECT_LE(RecordingReader<2>(file("small")).rows().back().statistics.objects, 2U) << when;
+  }
+  EXPECT_THAT(run_kerf({"minimize", file("a"), "--when", "pair(0,99999)", "-o", file("none")}).err,
+              HasSubstr("has no object 99999"));
 }
 
 TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {

@@ -120,7 +120,7 @@ Scenario minimize_scenario() {
             record(folder / "in.kerf", "12");
             record(folder / "out.kerf", "7");
             write(folder / "out.png", "an earlier picture");
-            write(folder / "out.cpp", "an earlier test");
+            write(folder / "out.cpp", "// Made by `kerf minimize`: an earlier test");
           },
           [](const Path& folder) -> Words {
             return {"minimize", folder / "in.kerf",  "--when",     kSplit,

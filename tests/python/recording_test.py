@@ -148,6 +148,13 @@ def test_the_smallest_run_still_shows_it(run, tmp_path):
     assert small.steps < run.steps and small.rows["objects"][-1] < run.rows["objects"][-1]
     smaller = run.minimise(lambda run: len(run.pairs(run.steps)) > 0, tmp_path / "pair.kerf")
     assert len(smaller.pairs(smaller.steps)) == 1 and smaller.rows["objects"][-1] == 2
+    a, b = run.pairs(run.steps)[-1]
+    for holds in [f"pair({a},{b})", lambda run: run.find(f"pair({a},{b})") is not None]:
+        of_two = run.minimise(holds, tmp_path / "small.kerf", overwrite=True)
+        assert set(of_two.ids(of_two.steps)) == {a, b}
+    for holds in ["pair(0,99999)", lambda run: run.find("pair(0,99999)")]:
+        with pytest.raises(ValueError, match="no object 99999"):
+            run.minimise(holds, tmp_path / "none.kerf")
     with pytest.raises(ValueError, match="nothing to minimise"):
         run.minimise("pairs<0", tmp_path / "none.kerf")
     with pytest.raises(ValueError, match="returns False"):
