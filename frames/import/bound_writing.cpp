@@ -16,7 +16,10 @@ constexpr std::size_t kMany = 8;
 constexpr std::size_t kDozens = 24;  // of short numbers, which may be a grid
 constexpr std::size_t kLeastSuspected = 2;
 constexpr std::size_t kLeastDecimals = 2;
-constexpr double kSurprising = 4.6;  // one in a hundred
+constexpr double kSurprising = 4.6;      // one in a hundred
+constexpr double kVerySurprising = 6.8;  // one in a thousand; three numbers of six digits
+constexpr std::size_t kWholeDouble = 17;
+constexpr std::size_t kLeastWhole = 15;  // digits that are all of some doubles
 constexpr std::size_t kMostTried = 64;
 constexpr double kManyNumbers =
     10;                         // that have one text; the shortest text of a number seldom leaves as many
@@ -28,6 +31,7 @@ struct Decimal {
   std::size_t digits = 0;  ///< without leading zeros; beyond 19 the mantissa lacks them
   std::int64_t decimals = 0;
   bool has_point = false;
+  bool ends_in_zero = false;  ///< before an exponent
   bool has_exponent = false;
 };
 
@@ -40,6 +44,7 @@ Decimal read_decimal(std::string_view text) {
       continue;
     }
     number.decimals += number.has_point ? 1 : 0;
+    number.ends_in_zero = text[at] == '0';
     if (number.digits == 0 && text[at] == '0') continue;
     if (++number.digits <= 19)
       number.mantissa = 10 * number.mantissa + static_cast<std::uint64_t>(text[at] - '0');
@@ -94,6 +99,11 @@ void DigitStatistics::Seen::note(double value) {
   (void)keep_once(some, value, kDozens);
 }
 
+/// Of numbers that are no further apart than a unit of the text one has it.
+void DigitStatistics::Short::note(double value, double unit, double spacing) {
+  if (unit > spacing && keep_once(some, value, kMostTried)) surprise += std::log(unit / spacing);
+}
+
 void DigitStatistics::note(std::string_view text, double value) {
   const Decimal number = read_decimal(text);
   const std::size_t digits = std::min(number.digits, kMostDigits);
@@ -102,6 +112,12 @@ void DigitStatistics::note(std::string_view text, double value) {
   const bool is_small = number.has_exponent && std::abs(value) < 1;  // as JavaScript writes 0.00001
   has_exponent_ |= number.has_exponent;
   has_large_exponent_ |= number.has_exponent && !is_small;
+  const bool is_counted = number.decimals <= static_cast<std::int64_t>(kMostDecimals);
+  has_more_decimals_ |= !is_counted;
+  if (number.has_point) {
+    has_zeros_ |= number.ends_in_zero && number.decimals > 1 && !number.has_exponent;
+    (void)keep_once(with_point_, value, kMany);
+  }
   if (number.has_point || is_small) {
     least_decimals_ = std::min(least_decimals_, decimals);
     most_decimals_ = std::max(most_decimals_, decimals);
@@ -109,11 +125,14 @@ void DigitStatistics::note(std::string_view text, double value) {
   if (number.has_point || number.has_exponent) most_digits_ = std::max(most_digits_, digits);
   const double unit = std::pow(10.0, -static_cast<double>(number.decimals));
   if (!is_binary_fraction(number)) {
+    const double of_floats = spacing_at<Scalar>(value);
+    const double of_doubles = spacing_at<double>(value);
     ++rounded_;
     by_digits_[digits].note(value);
-    if (!number.has_exponent || is_small) by_decimals_[decimals].note(value);
-    open_floats_ += unit >= kManyNumbers * spacing_at<Scalar>(value) ? 1 : 0;
-    open_doubles_ += unit >= kManyNumbers * spacing_at<double>(value) ? 1 : 0;
+    short_[digits].note(value, unit, digits <= kWholeFloat ? of_floats : of_doubles);
+    if (is_counted && (!number.has_exponent || is_small)) by_decimals_[decimals].note(value);
+    open_floats_ += unit >= kManyNumbers * of_floats ? 1 : 0;
+    open_doubles_ += unit >= kManyNumbers * of_doubles ? 1 : 0;
   }
   const bool is_whole_number = !number.has_point && !number.has_exponent;  // such as INT_MAX, for no bound
   if (number.digits > kLeastDigits && !is_whole_number) note_float(value, unit);
@@ -134,7 +153,16 @@ void DigitStatistics::note_float(double value, double unit) {
 bool DigitStatistics::are_floats() const { return may_be_floats_ && surprise_ >= kSurprising; }
 
 /// Whether some number has as many digits as its kind needs.
-bool DigitStatistics::is_whole() const { return most_digits_ >= (are_floats() ? kWholeFloat : kMostDigits); }
+bool DigitStatistics::is_whole() const { return most_digits_ >= (are_floats() ? kWholeFloat : kWholeDouble); }
+
+/// Whether numbers of so many digits and more are too many that have no further ones: the shortest text of a
+/// float may have 7 digits, that of a double 15.
+bool DigitStatistics::are_rounded(std::size_t least_digits) const {
+  if (!may_be_floats_ && most_digits_ < kLeastWhole) return true;
+  double surprise = 0;
+  for (std::size_t k = least_digits; k <= kMostDigits; ++k) surprise += short_[k].surprise;
+  return surprise >= kVerySurprising;
+}
 
 /// Whether the text of a good part leaves open which number it was.
 bool DigitStatistics::are_open() const {
@@ -144,6 +172,9 @@ bool DigitStatistics::are_open() const {
 /// Whether all were written with so many decimals, zeros at the end too, and more of them than people write.
 bool DigitStatistics::is_fixed() const {
   if (has_exponent_ || least_decimals_ != most_decimals_ || most_decimals_ < kLeastDecimals) return false;
+  if (has_more_decimals_) return false;
+  if (has_zeros_ && with_point_.size() >= kMany) return true;  // whatever they are
+  if (!has_zeros_ && !are_rounded(0)) return false;
   std::size_t of_many_digits = 0;
   for (std::size_t k = kLeastDigits; k <= kMostDigits; ++k) of_many_digits += by_digits_[k].some.size();
   return by_decimals_[most_decimals_].some.size() >= kMany || of_many_digits >= kFew;
@@ -155,14 +186,15 @@ bool DigitStatistics::is_trimmed() const {
   const Seen& longest = by_decimals_[most_decimals_];
   const bool are_many = longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
   const bool all_whole = is_whole() && !are_open();
-  if (has_large_exponent_ || all_whole || most_decimals_ < kLeastDecimals || !are_many) return false;
+  if (has_large_exponent_ || has_more_decimals_ || all_whole || most_decimals_ < kLeastDecimals || !are_many)
+    return false;
   return most_digits_ < kLeastDigits || longest.count > by_digits_[most_digits_].count;
 }
 
 /// Whether they were rounded to as many digits as the longest have: of less than six, people write some, too.
 bool DigitStatistics::is_cut() const {
   const Seen& longest = by_digits_[most_digits_];
-  if (most_digits_ >= kLeastDigits) return longest.some.size() >= kFew;
+  if (most_digits_ >= kLeastDigits) return longest.some.size() >= kFew && are_rounded(most_digits_);
   return most_digits_ >= kLeastShort && longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
 }
 
@@ -186,12 +218,16 @@ std::size_t DigitStatistics::usual_digits() const {
 
 BoundRounding DigitStatistics::suspected() const {
   if (rounding() != BoundRounding{}) return {};
-  const std::size_t digits = usual_digits();
+  const bool same_decimals =
+      !has_exponent_ && most_decimals_ > 0 && least_decimals_ == most_decimals_ && !has_more_decimals_;
+  if (same_decimals && has_zeros_ && most_decimals_ > kLeastDecimals)
+    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
+  std::size_t digits = usual_digits();
+  if (!is_whole() && most_digits_ >= kLeastWhole && short_[most_digits_].surprise > 0) digits = most_digits_;
   if (digits == 0) return {};
   const auto suffice = [](const Seen& seen, bool is_long) {
     return is_long ? seen.count > 0 : seen.some.size() >= kDozens;
   };
-  const bool same_decimals = !has_exponent_ && most_decimals_ > 0 && least_decimals_ == most_decimals_;
   if (same_decimals && suffice(by_decimals_[most_decimals_], most_decimals_ > kLeastDecimals))
     return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
   if (digits < kLeastSuspected || !suffice(by_digits_[digits], digits >= kLeastShort)) return {};

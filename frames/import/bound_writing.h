@@ -19,11 +19,11 @@ class DigitStatistics {
   /// None where the text has all of each number: floats with 9 digits, doubles with 17, binary fractions, and
   /// short decimals, which people write.
   [[nodiscard]] BoundRounding rounding() const;
-  /// Of numbers of 4 to 8 digits, or all of the same three decimals or more, that are too few to be sure;
-  /// also of two digits, or one decimal, of dozens of numbers. None where `rounding()` has one.
+  /// Of numbers of 4 to 8 or 15 to 16 digits, or all of the same three decimals or more, that are too few to
+  /// be sure; also of two digits, or one decimal, of dozens of numbers. None where `rounding()` has one.
   [[nodiscard]] BoundRounding suspected() const;
-  /// Whether there are numbers that are no binary fractions.
-  [[nodiscard]] bool has_rounded() const { return rounded_ > 0; }
+  /// Whether there are numbers that are no binary fractions, or have zeros that say how they were written.
+  [[nodiscard]] bool has_rounded() const { return rounded_ > 0 || has_zeros_; }
 
  private:
   static constexpr std::size_t kMostDigits = 17;
@@ -36,8 +36,16 @@ class DigitStatistics {
     void note(double value);
   };
 
+  /// Numbers that the shortest text of a float or double seldom leaves in so few digits.
+  struct Short {
+    std::vector<double> some;  ///< each once
+    double surprise = 0;       ///< how unlikely they are as shortest texts: minus the logarithm
+    void note(double value, double unit, double spacing);
+  };
+
   void note_float(double value, double unit);
   [[nodiscard]] bool are_floats() const;
+  [[nodiscard]] bool are_rounded(std::size_t least_digits) const;
   [[nodiscard]] bool is_whole() const;
   [[nodiscard]] bool are_open() const;
   [[nodiscard]] bool is_fixed() const;
@@ -46,10 +54,14 @@ class DigitStatistics {
   [[nodiscard]] std::size_t usual_digits() const;
 
   std::array<Seen, kMostDigits + 1> by_digits_{};
+  std::array<Short, kMostDigits + 1> short_{};         ///< by digits
   std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without a large exponent
+  std::vector<double> with_point_{};                   ///< some of all numbers that have one, each once
   std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent
   std::size_t most_decimals_ = 0;                      ///< of all numbers with a point, and small ones
   std::size_t least_decimals_ = kMostDecimals;
+  bool has_more_decimals_ = false;  ///< than are counted
+  bool has_zeros_ = false;          ///< at the end behind the point, which no shortest text has
   std::uint64_t rounded_ = 0;
   std::uint64_t open_floats_ = 0;  ///< of them those of which many floats have the text
   std::uint64_t open_doubles_ = 0;

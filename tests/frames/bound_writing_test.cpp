@@ -67,11 +67,67 @@ TEST(BoundWriting, WhatMayBeMeantIsTakenAsItIs) {
     twentieths.push_back(shortest_text(k / 20.0));
     eighths.push_back(formatted("%.3f", k / 8.0));
   }
-  for (const auto& grid : {tenths, twentieths, eighths}) EXPECT_EQ(rounding_of(grid), BoundRounding());
+  for (const auto& grid : {tenths, twentieths}) EXPECT_EQ(rounding_of(grid), BoundRounding());
+  EXPECT_EQ(rounding_of(eighths), (BoundRounding{0, 3, false}))
+      << "zeros at the end: %.3f, whatever was meant";
+  std::erase_if(eighths, [](const std::string& text) { return text.ends_with('0'); });
+  EXPECT_EQ(rounding_of(eighths), BoundRounding()) << "the shortest texts";
   EXPECT_EQ(rounding_of({"0.33", "0.67", "1.41", "3.14", "2.71", "1.62", "0.1"}), BoundRounding());
   EXPECT_EQ(rounding_of({"0.123457", "1.23457", "0.5"}), BoundRounding()) << "two numbers are too few";
   EXPECT_EQ(rounding_of({"0.123457", "0.234568", "0.345679", "1.0078125"}), BoundRounding())
       << "which has 8 digits";
+}
+
+/// As Python, JavaScript and `kerf export` write them: nothing was rounded away, though few have 17 digits.
+TEST(BoundWriting, ShortestTextsAreWhole) {
+  EXPECT_EQ(
+      rounding_of({"1.1", "2.2", "3.3", "0.6000000000000001", "0.7000000000000001", "0.8999999999999999"}),
+      BoundRounding())
+      << "from 0.5 to 1, 16 digits are all of each double";
+  Random random(12);
+  for (const double size : {0.6, 4.5, 9.0, 700.0}) {
+    std::vector<std::string> doubles;
+    std::vector<std::string> floats;
+    for (int k = 0; k < 40; ++k) {
+      const double x = size * (1 + random.unit() / 16);
+      const std::string text = shortest_text(x);
+      if (text.find_first_not_of("0.") + 17 >= text.size()) doubles.push_back(text);
+      const std::string of_float = shortest_text(static_cast<float>(x));
+      if (of_float.find_first_not_of("0.") + 9 >= of_float.size()) floats.push_back(of_float);
+    }
+    EXPECT_GE(std::min(doubles.size(), floats.size()), 8U) << size;
+    EXPECT_EQ(rounding_of(doubles), BoundRounding()) << size;
+    EXPECT_EQ(rounding_of(floats), BoundRounding()) << size;
+  }
+}
+
+TEST(BoundWriting, NumbersOf16DigitsAreRoundedWhereDoublesAreCloser) {
+  Random random(13);
+  std::vector<std::string> all;
+  for (int k = 0; k < 8; ++k)
+    all.push_back(formatted("%.16g", k % 2 == 0 ? random.uniform(1, 2) : random.uniform(10, 16)));
+  EXPECT_EQ(rounding_of(all), (BoundRounding{16, 0, false}));
+  all.resize(3);
+  EXPECT_EQ(rounding_of(all), BoundRounding());
+  EXPECT_EQ(writing_of(all).suspected(), (BoundRounding{16, 0, false}));
+}
+
+TEST(BoundWriting, ZerosAtTheEndSayHowManyDecimalsThereAre) {
+  std::vector<std::string> whole;
+  for (int k = 0; k < 12; ++k) whole.push_back(formatted("%.6f", k));
+  EXPECT_EQ(rounding_of(whole), (BoundRounding{0, 6, false}));
+  whole.resize(7);
+  EXPECT_EQ(rounding_of(whole), BoundRounding());
+  EXPECT_EQ(writing_of(whole).suspected(), (BoundRounding{0, 6, false}));
+  whole.insert(whole.end(), {"7.5", "8.25", "1e30"});
+  EXPECT_EQ(writing_of(whole).suspected(), BoundRounding()) << "they differ";
+}
+
+TEST(BoundWriting, NumbersWithMoreDecimalsThanAreCountedAreNotRoundedToThese) {
+  std::vector<std::string> tiny;
+  for (int k = 0; k < 12; ++k) tiny.push_back(std::to_string(2 * k + 1) + "e-320");
+  EXPECT_EQ(rounding_of(tiny), BoundRounding());
+  EXPECT_EQ(writing_of(tiny).suspected(), BoundRounding());
 }
 
 TEST(BoundWriting, TooFewNumbersAreSuspected) {
