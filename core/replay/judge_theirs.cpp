@@ -128,15 +128,14 @@ std::optional<PairVerdict> left_out(const Pair& pair, const TheirWorld<D>& world
   return std::nullopt;
 }
 
-/// On a pair that was reported, and is none. What the engine leaves out excuses nothing that it reports where
-/// no boxes overlap.
+/// On a pair that was reported, and is none: the boxes are apart, or both are fixed. What the engine leaves
+/// out excuses nothing that it reports.
 template <int D>
 PairVerdict verdict_on_extra(const Pair& pair, const ObjectTable<D>& objects, const TheirWorld<D>& world,
                              const PairDesign& design) {
   if (!objects.is_placed(pair.a) || !objects.is_placed(pair.b)) return PairVerdict::extra;
-  if (world.overlap(objects, pair)) return left_out(pair, world, design).value_or(PairVerdict::extra);
   const bool both_fixed = objects.is_fixed(pair.a) && objects.is_fixed(pair.b);
-  const bool by_margin = design.margin != Margin{} && !both_fixed;
+  const bool by_margin = design.margin != Margin{} && !both_fixed && !world.overlap(objects, pair);
   return by_margin && world.overlap_with_margin(objects, pair, design) ? PairVerdict::margin
                                                                        : PairVerdict::extra;
 }

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/base/shortest_text.h"
 #include "core/replay/judge_theirs.h"
@@ -62,6 +63,7 @@ struct BoxRow {
   ObjectId object;
   std::optional<Box<D>> box;  ///< none: it goes
   bool fixed = false;
+  bool was_removed = false;  ///< just before, to come with another mobility
 };
 
 /// The requests of the steps as rows that `kerf import` makes the same requests of.
@@ -98,9 +100,10 @@ class BoxRows {
     const bool was_fixed = fixed;
     if (is_insert(request.kind)) fixed = request.mobility == Mobility::fixed;
     const bool is_changed = !rows_.empty() && rows_.back().object == object && fixed != was_fixed;
-    if (is_changed && !rows_.back().box) rows_.pop_back();
+    const bool was_removed = is_changed && !rows_.back().box;
+    if (was_removed) rows_.pop_back();
     last_[object] = rows_.size();
-    rows_.push_back({object, request.volume.box, fixed});
+    rows_.push_back({object, request.volume.box, fixed, was_removed});
   }
 
   RecordingReader<D>& recording_;
@@ -132,10 +135,17 @@ class BoxPrinter {
   }
 
   void put(std::uint32_t step, const std::vector<BoxRow<D>>& rows, const TheirChanges<D>& changes) {
-    world_.apply(changes);
     filters_.clear();
-    for (const auto& [object, filter] : changes.filters) filters_[object] = filter;
-    for (const BoxRow<D>& row : rows) put(step, row);
+    repeated_.clear();
+    for (const auto& [object, filter] : changes.filters) {
+      filters_[object] = filter;
+      if (filter == world_.filter(object)) repeated_.insert(object);
+    }
+    world_.apply(changes);
+    for (const BoxRow<D>& row : rows) {
+      if (row.was_removed && repeated_.contains(row.object)) put(step, {row.object, std::nullopt});
+      put(step, row);
+    }
     if (rows.empty())
       out_ << names_.step(step) << std::string(2 * D + 2 + (has_filters_ ? 2 : 0), ',') << '\n';
   }
@@ -170,6 +180,8 @@ class BoxPrinter {
   std::ostream& out_;
   TheirWorld<D> world_;
   std::unordered_map<ObjectId, GivenFilter> filters_;  ///< that change in the step
+  std::unordered_set<ObjectId>
+      repeated_;  ///< of objects that came anew in the step, with the filter they had
 };
 
 }  // namespace

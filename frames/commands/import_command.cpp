@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "frames/commands/command.h"
 #include "frames/import/import_boxes.h"
@@ -93,6 +94,10 @@ void ImportCommand::run() const {
   request.structure = structure_;
   request.config = parse_config("--config", config_, {});
   request.margin = parse_margin(margin_);
+  for (const auto& [option, text] : {std::pair("--margin", &margin_), std::pair("--ignore", &ignore_)})
+    if (!text->empty() && pairs_.empty())
+      throw UsageError(std::string(option) +
+                       " is for judging their pairs; give --pairs, too, or leave it out");
   request.unite = unite_;
   request.strict = strict_;
   Outputs outputs({boxes_, pairs_, ignore_, objects_, structure_}, overwrite_);

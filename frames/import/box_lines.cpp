@@ -1,6 +1,7 @@
 #include "frames/import/box_lines.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -52,16 +53,31 @@ std::vector<CsvColumn> box_columns() {
   return columns;
 }
 
-/// Without what may stand before and behind the digits of a number; empty for others, such as 1e3.
-std::string plain_number(std::string text) {
-  const bool is_negative = text.starts_with('-');
-  if (text.find_first_not_of("0123456789.", is_negative ? 1 : 0) != std::string::npos) return "";
-  text.erase(0, std::min(text.find_first_not_of("-0"), text.size()));
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
+/// The same for texts of the same number, whatever zeros, point and exponent they have.
+std::string plain_number(const std::string& text) {
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  long long exponent = 0;
+  const std::size_t sign = text.substr(end, 2).ends_with('+') ? 2 : 1;
+  if (end < text.size()) std::from_chars(text.data() + end + sign, text.data() + text.size(), exponent);
+  std::string digits;
+  bool has_point = false;
+  for (const char c : text.substr(0, end)) {
+    has_point |= c == '.';
+    if (c < '0' || c > '9') continue;
+    exponent -= has_point ? 1 : 0;
+    if (c != '0' || !digits.empty()) digits += c;
   }
-  return (is_negative && !text.empty() ? "-" : "") + (text.empty() ? "0" : text);
+  for (; digits.ends_with('0'); digits.pop_back()) ++exponent;
+  return digits.empty() ? "0" : (text.starts_with('-') ? "-" : "") + digits + "e" + std::to_string(exponent);
+}
+
+constexpr std::size_t kSeconds = 17;  // where a date has them
+
+bool leaps(const GivenStep& step) { return step.is_date() && step.text.substr(kSeconds).starts_with("60"); }
+
+/// In which dates of one time may differ: the fraction of a second, and whether it is a leap second.
+std::string plain_seconds(const GivenStep& date) {
+  return (leaps(date) ? "60" : "") + plain_number("0" + date.text.substr(kSeconds + 2));
 }
 
 BoxLine::Oddity oddity_of(const BoxLine& line, int dimension) {
@@ -229,10 +245,13 @@ std::string conflict_of(const GivenStep& a, const GivenStep& b) {
   if (a.is_date() != b.is_date())
     return "step " + a.text + " is " + (a.is_date() ? "a date" : "a number") + ", and step " + b.text +
            " is " + (b.is_date() ? "a date" : "a number");
-  const std::string plain = plain_number(a.text);
-  const std::string other = plain_number(b.text);
-  if (a.time != b.time || plain.empty() || other.empty() || plain == other) return "";
-  return "steps " + a.text + " and " + b.text + " are too near to each other: 64 bits of a number count";
+  const auto plain = [](const GivenStep& step) {
+    return step.is_date() ? plain_seconds(step) : plain_number(step.text);
+  };
+  if (a.time != b.time || a.text == b.text || plain(a) == plain(b)) return "";
+  const std::string both = "steps " + a.text + " and " + b.text;
+  if (leaps(a) != leaps(b)) return both + " are one time: a leap second is the second after it";
+  return both + " are too near to each other: 64 bits of a number count";
 }
 
 std::vector<CsvColumn> bound_columns() {

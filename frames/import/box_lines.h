@@ -25,8 +25,8 @@ struct GivenStep {
   [[nodiscard]] bool is_date() const { return text.find(':') != std::string::npos; }
 };
 
-/// What keeps two steps from standing in one run: one is a date and the other is a number, or both are
-/// numbers that differ, but not in the 64 bits that count. Empty: nothing does.
+/// What keeps two steps from standing in one run: one is a date and the other is a number, or they differ,
+/// but not in the 64 bits that count. Empty: nothing does.
 std::string conflict_of(const GivenStep& a, const GivenStep& b);
 
 /// One line of a table of boxes.

@@ -37,9 +37,12 @@ std::vector<CsvColumn> said_columns() {
 
 Scalar read_length(const CsvTable& table, std::size_t column, const std::string& of) {
   if (table.is_blank(column)) table.reject(of + " needs " + said_columns()[column].name + ", a length");
-  const auto length = static_cast<Scalar>(table.real(column));
+  const double length = table.real(column);
+  const auto as_float = static_cast<Scalar>(length);
   if (!std::isfinite(length) || length <= 0) table.reject(column, "is no length: it must be above 0");
-  return length;
+  if (!std::isfinite(as_float) || as_float == 0)
+    table.reject(column, "is a length that no float holds: they end at 1.4e-45 and 3.4e38");
+  return as_float;
 }
 
 template <int D>

@@ -358,9 +358,9 @@ void import_in(const ImportRequest& request, ImportProgress& progress, BoxLines&
 }  // namespace
 
 void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt) {
-  if ((request.boxes == "-" ? 1 : 0) + (request.pairs == "-" ? 1 : 0) + (request.structure == "-" ? 1 : 0) >
-      1)
-    throw UsageError("only one of boxes, pairs and nodes can come from standard input");
+  const std::array inputs{request.boxes, request.pairs, request.ignore, request.objects, request.structure};
+  if (std::ranges::count(inputs, "-") > 1)
+    throw UsageError("only one of the tables can come from standard input");
   if (request.unite && !request.structure.empty())
     throw UsageError(
         "--unite and --structure: an object of several boxes has several nodes, and none of them holds all; "

@@ -71,11 +71,15 @@ void StepLines::unite(BoxLine& first, const BoxLine& second, const GivenStep& st
         ", after that of line " + std::to_string(first.line) +
         "; --unite takes the smallest box that holds both, and whatever overlaps that is a pair then");
   oddities_.note(Oddity::united, [&] { return place(second, step); });
-  if (second.fixed && first.fixed && *second.fixed != *first.fixed)
-    boxes_.reject("object " + to_string(second.object) + " is both fixed and moving in step " + step.text);
+  const auto check = [&](const auto& said, const auto& other, const char* differing) {
+    if (other && said != other)  // blank: as in the lines before
+      boxes_.reject("object " + to_string(second.object) + " " + differing + " in step " + step.text +
+                    ", and united it is one; give each box an object of its own");
+  };
+  check(first.fixed, second.fixed, "is both fixed and moving");
+  check(first.filter, second.filter, "has boxes of different category or mask");
+  check(first.turn, second.turn, "is turned in two ways");
   join_boxes(first, second);
-  if (second.fixed) first.fixed = second.fixed;
-  if (second.filter) first.filter = second.filter;
 }
 
 void StepLines::note_oddity(const BoxLine& line, const GivenStep& step) {

@@ -87,7 +87,8 @@ TEST_F(ImportFiles, ALastLineWithoutAnEndIsOdd) {
   EXPECT_THAT(out, HasSubstr(odd + cut + ", line 4\n"));
   EXPECT_THAT(refused(whole, {"--pairs", cut, "--strict"}), HasSubstr(odd));
   EXPECT_THAT(refused(write("boxes.csv", boxes), {"--strict"}), HasSubstr("boxes.csv, line 4\n"));
-  EXPECT_THAT(refused(whole, {"--ignore", write("ignore.csv", "1,12"), "--strict"}),
+  EXPECT_THAT(refused(whole, {"--pairs", write("no_pairs.csv", "step,a,b\n"), "--ignore",
+                              write("ignore.csv", "1,12"), "--strict"}),
               HasSubstr("ignore.csv, line 1\n"));
   EXPECT_THAT(refused(whole, {"--objects", write("objects.csv", "object,name\n1,on"), "--strict"}),
               HasSubstr("objects.csv, line 2\n"));
@@ -156,7 +157,8 @@ TEST_F(ImportFiles, ObjectsWithASignInOneTableOnlyAreRefused) {
                                                    "step,node,parent,min_x,max_x,min_y,max_y,object\n"
                                                    "1,0,,0,1,0,1,7 -2\n")}),
               HasSubstr("nodes.csv, line 2: there is no object -2"));
-  EXPECT_THAT(refused(boxes, {"--ignore", write("ignore.csv", "a,b\n7,-2\n")}),
+  EXPECT_THAT(refused(boxes, {"--pairs", write("no_pairs.csv", "step,a,b\n"), "--ignore",
+                              write("ignore.csv", "a,b\n7,-2\n")}),
               HasSubstr("ignore.csv, line 2: there is no object -2"));
   const std::string both = write("both.csv", kHead + "1,4294967294,0,1,0,1\n1,-2,0,1,0,1\n1,7,9,9,9,9\n");
   EXPECT_THAT(imported("a", both, {"--pairs", write("pairs.csv", "step,a,b\n1,-2,4294967294\n")}),

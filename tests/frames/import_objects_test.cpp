@@ -91,6 +91,8 @@ TEST_F(ImportObjects, WhatIsNoneIsRefused) {
   EXPECT_THAT(complaint("object,shape\n10,ball\n"), HasSubstr("line 2: a ball needs radius, a length"));
   EXPECT_THAT(complaint("object,shape,radius\n10,ball,-1\n"), HasSubstr("is no length"));
   EXPECT_THAT(complaint("object,shape,radius\n10,ball,nan\n"), HasSubstr("is no length"));
+  for (const std::string length : {"1e39", "1e-50"})
+    EXPECT_THAT(complaint("object,shape,radius\n10,ball," + length + "\n"), HasSubstr("that no float holds"));
   EXPECT_THAT(complaint("object,shape\n10,mesh\n"), HasSubstr("there are ball, brick and polygon"));
   EXPECT_THAT(complaint("object,shape\n10,polygon\n"), HasSubstr("line 2: a polygon needs points"));
   EXPECT_THAT(complaint("object,shape,points\n10,polygon,0 0; 1 0\n"), HasSubstr("has no three points"));

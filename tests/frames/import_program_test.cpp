@@ -119,6 +119,21 @@ TEST_F(ImportProgram, StepsThatDoNotFitTogetherAreRefused) {
   const std::string boxes = write("boxes.csv", "1,0,0,2,0,2\n1,1,1,3,1,3\n2,1,1,3,1,3\n");
   EXPECT_THAT(refused(write("a.csv", "18446744073709551616,0,0,1,0,1\n18446744073709551617,1,0,1,0,1\n")),
               HasSubstr("a.csv, line 2: steps 18446744073709551617 and 18446744073709551616 are too near"));
+  EXPECT_THAT(
+      refused(write("e.csv", "1.70000000000000000001e9,0,0,1,0,1\n17.0000000000000000002E+8,1,0,1,0,1\n")),
+      HasSubstr("are too near"));
+  EXPECT_THAT(refused(write("f.csv",
+                            "2024-02-29T23:59:59.50000000000001,0,0,1,0,1\n"
+                            "2024-02-29T23:59:59.5,1,0,1,0,1\n")),
+              HasSubstr("are too near"));
+  EXPECT_THAT(refused(write("l.csv", "2016-12-31T23:59:60.5Z,0,0,1,0,1\n2017-01-01T00:00:00.5Z,1,5,6,0,1\n")),
+              HasSubstr("are one time: a leap second is the second after it"));
+  EXPECT_THAT(imported("same", write("same.csv", "1.5e3,0,0,1,0,1\n1500.0,1,0,1,0,1\n+15E02,2,0,1,0,1\n")),
+              HasSubstr("1 step numbered 1.5e3"));
+  EXPECT_THAT(imported("dates", write("dates.csv",
+                                      "2024-02-29T23:59:59.5Z,0,0,1,0,1\n"
+                                      "2024-02-29 23:59:59.50,1,0,1,0,1\n")),
+              HasSubstr("1 step numbered 2024"));
   const std::string near = write("near.csv", "step,a,b\n1,0,1\n2.00000000000000000000001,0,1\n");
   EXPECT_THAT(refused(boxes, {"--pairs", near}), HasSubstr("near.csv, line 3: steps 2.0000"));
   const std::string both = write("both.csv", "step,a,b\n1.00000000000000000000001,0,1\n1,0,1\n");
@@ -180,6 +195,22 @@ TEST_F(ImportProgram, SeveralBoxesOfAnObjectAreRefusedOrUnited) {
   (void)imported("b", write("b.csv", "1,0,0,1,0,1\n2,0,,,,\n2,0,5,6,0,1\n"));  // it goes, and another comes
 }
 
+/// One of them would hold for all boxes, and excuse a miss or accuse the engine of one.
+TEST_F(ImportProgram, BoxesOfWhichTheFiltersOrTurnsDifferAreNotUnited) {
+  const std::string head = "step,object,min_x,max_x,min_y,max_y,category,mask,angle\n1,0,0,1,0,1,";
+  const auto said = [&](const std::string& first, const std::string& second) {
+    return refused(write("parts.csv", head + first + "\n1,0,5,6,0,1," + second + "\n"), {"--unite"});
+  };
+  EXPECT_THAT(said("1,0,", "1,-1,"),
+              HasSubstr("parts.csv, line 3: object 0 has boxes of different category or mask in step 1"));
+  EXPECT_THAT(said("2,,", "1,,"), HasSubstr("different category or mask"));
+  EXPECT_THAT(said(",,", "1,0,"), HasSubstr("different category or mask"));
+  EXPECT_THAT(said(",,0.5", ",,0.25"), HasSubstr("object 0 is turned in two ways in step 1"));
+  for (const std::string second : {"2,3,0.5", ",,", "2,3,", ",,0.5"})
+    EXPECT_THAT(imported("a", write("b.csv", head + "2,3,0.5\n1,0,5,6,0,1," + second + "\n"), {"--unite"}),
+                HasSubstr("united"));
+}
+
 TEST_F(ImportProgram, WhatOverlapsAJoinedBoxIsSaidToBeAPair) {
   const std::string head = "step,object,min_x,max_x,min_y,max_y\n";
   const std::string pairs = write("pairs.csv", "step,a,b\n2,1,2\n");
@@ -234,6 +265,9 @@ TEST_F(ImportProgram, StandardInputIsRead) {
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("3 steps numbered 5000 to 5002"));
   }
+  const std::string none = write("none.csv", "step,a,b\n");
+  EXPECT_THAT(refused("-", {"--pairs", none, "--ignore", "-"}), HasSubstr("can come from standard input"));
+  EXPECT_THAT(refused("-", {"--objects", "-"}), HasSubstr("can come from standard input"));
 }
 
 TEST_F(ImportProgram, InterruptedItLeavesNothing) {

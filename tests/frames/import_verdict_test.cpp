@@ -75,6 +75,18 @@ TEST_F(ImportVerdict, ChangesOfMobilityAreFollowedAndExported) {
               HasSubstr("1 pair: 0 missed, 0 extra"));
 }
 
+/// An object that goes and comes again with another mobility, and one that changes it.
+TEST_F(ImportVerdict, AFilterIsExportedAsItCame) {
+  const std::string boxes =
+      write("boxes.csv",
+            "step,object,min_x,max_x,min_y,max_y,fixed,category,mask\n1,0,0,1,0,1,1,2,3\n"
+            "1,1,5,6,0,1,1,2,3\n2,0,,,,,,,\n2,0,0,1,0,1,0,2,3\n2,1,5,6,0,1,0,,\n");
+  (void)imported("a", boxes);
+  (void)imported("b", write("b.csv", exported("a", "--boxes")));
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  EXPECT_EQ(compared.exit, 0) << compared.out;
+}
+
 TEST_F(ImportVerdict, AnObjectThatComesAgainHasNoFilterOfBefore) {
   const std::string boxes = write("boxes.csv",
                                   "step,object,min_x,max_x,min_y,max_y,category,mask\n1,0,0,2,0,2,1,1\n"
@@ -227,6 +239,9 @@ TEST_F(ImportVerdict, AMarginIsDeclared) {
               HasSubstr("0 pairs: 0 missed, 0 extra, 0 twice, 0 ignored"));
   for (const std::string margin : {"x", "-1", "5m", "%", "inf"})
     EXPECT_THAT(refused(boxes, {"--margin", margin}), HasSubstr("--margin '" + margin + "'"));
+  for (const std::string option : {"--margin", "--ignore"})
+    EXPECT_THAT(refused(boxes, {option, "0.1"}),
+                HasSubstr(option + " is for judging their pairs; give --pairs"));
 }
 
 /// What an engine reports where no boxes overlap is excused by no mask and no list.

@@ -30,13 +30,13 @@ class JudgeTheirs : public testing::Test {
     add(1.9, 3);
     add(3.05, 4);
   }
-  void add(double min, double max) {
+  void add(double min, double max, Mobility mobility = Mobility::moving) {
     const ObjectId object{objects_.size()};
     GivenBox<kDimension> box;
     box.max.fill(1);
     box.min[0] = min;
     box.max[0] = max;
-    (void)objects_.insert(object, round_outward(box), Mobility::moving);
+    (void)objects_.insert(object, round_outward(box), mobility);
     world_.apply({{{object, box}}, {}});
   }
   [[nodiscard]] std::vector<JudgedPair> judge(const std::vector<Pair>& reported,
@@ -102,6 +102,15 @@ TYPED_TEST(JudgeTheirs, AReportedPairWithoutAnOverlapIsExtraInSpiteOfFiltersAndT
                           design),
               ElementsAre(judged(0, 2, PairVerdict::extra), judged(0, 77, PairVerdict::extra),
                           judged(1, 3, PairVerdict::extra), judged(2, 3, PairVerdict::margin)));
+}
+
+TYPED_TEST(JudgeTheirs, AReportedPairOfFixedObjectsIsExtraInSpiteOfFiltersAndTheList) {
+  for (std::uint32_t id = 4; id < 7; ++id) this->add(8, 9, Mobility::fixed);
+  this->world_.apply({{}, {{{4}, {1, 2}}}});
+  ASSERT_FALSE(lets_pass(this->world_.filter({4}), this->world_.filter({5})));
+  EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2), this->pair(4, 5), this->pair(5, 6)},
+                          {{0.03, 0}, {this->pair(5, 6)}}),
+              ElementsAre(judged(4, 5, PairVerdict::extra), judged(5, 6, PairVerdict::extra)));
 }
 
 /// In floats a margin of 0.05 is nothing beside 5,000,000, where they are 0.5 apart, and 0.3 is as much as
