@@ -47,6 +47,13 @@ bool ends_beyond(const Box<D>& inner, const Box<D>& outer, int axis, const Bound
 
 std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
 
+/// To the decimal below `unit`.
+double rounded(double number, double unit) {
+  if (!(unit > 0) || !std::isfinite(unit)) return number;
+  const double step = std::pow(10.0, std::floor(std::log10(unit)));
+  return std::round(number / step) * step;
+}
+
 template <int D>
 class Checker {
  public:
@@ -182,14 +189,14 @@ class Checker {
       const double low{outer.min[axis]};
       const double high{outer.max[axis]};
       const double both = high - low - (double{box.max[axis]} - double{box.min[axis]});
-      const double rounding = kRounding * std::max(std::abs(low), std::abs(high)) +
-                              tolerance.allowed(low, double{box.min[axis]}) +
-                              tolerance.allowed(high, double{box.max[axis]});
+      const double of_floats = kRounding * std::max(std::abs(low), std::abs(high));
+      const double rounding = of_floats + tolerance.allowed_apart(low, double{box.min[axis]}) +
+                              tolerance.allowed_apart(high, double{box.max[axis]});
       if (both >= 2 * wanted - rounding) continue;
       add(Kind::no_margin, member.cell, member.object,
           name(member.cell) + " leaves " + text_of(member.object) + " a margin of " +
-              shortest_text(static_cast<Scalar>(both / 2)) + " along " + axis_name(axis) + ", less than " +
-              shortest_text(static_cast<Scalar>(wanted)));
+              shortest_text(static_cast<Scalar>(rounded(both / 2, of_floats))) + " along " + axis_name(axis) +
+              ", less than " + shortest_text(static_cast<Scalar>(wanted)));
       return;
     }
   }
@@ -326,14 +333,16 @@ class Checker {
 double BoundTolerance::allowed(double outer, double inner) const {
   const bool keeps_order = outer_digits.decimals == 1 && inner_digits.decimals == 1 && !outer_digits.coarse &&
                            !inner_digits.coarse;
-  const auto lost = [&](WrittenDigits written, double number) {
-    if (keeps_order) written.decimals = 0;
-    return rounded_away(written, number);
-  };
+  BoundTolerance ordered = *this;
+  if (keeps_order) ordered.outer_digits.decimals = ordered.inner_digits.decimals = 0;
+  return ordered.allowed_apart(outer, inner);
+}
+
+double BoundTolerance::allowed_apart(double outer, double inner) const {
   using Float = std::numeric_limits<Scalar>;
   const double least = std::min({std::abs(outer), std::abs(inner), double{Float::max()}});
   return share * least + ulps * (least * double{Float::epsilon()} + double{Float::denorm_min()}) +
-         lost(outer_digits, outer) + lost(inner_digits, inner);
+         rounded_away(outer_digits, outer) + rounded_away(inner_digits, inner);
 }
 
 template <int D>

@@ -57,6 +57,8 @@ struct BoundTolerance {
   WrittenDigits inner_digits{};
 
   [[nodiscard]] double allowed(double outer, double inner) const;
+  /// The same for how far apart they are: rounding keeps the order of two numbers, but not their distance.
+  [[nodiscard]] double allowed_apart(double outer, double inner) const;
 };
 
 /// Of the boxes of a structure.

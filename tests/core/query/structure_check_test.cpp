@@ -159,6 +159,21 @@ TEST(StructureCheck, AMarginMayLackWhatTheDigitsOfItsCellLeaveOpen) {
   EXPECT_TRUE(lacks_margin()) << "it lacks 0.0008 on each side";
 }
 
+/// Of numbers with one decimal, both distances between two bounds may have been rounded down.
+TEST(StructureCheck, AMarginMayLackWhatOneDecimalLeavesOpen) {
+  StructureParts<2> parts;
+  parts.cells.push_back({{{{20, 0}}, {{21.3F, 1.3F}}}, 0, kNoPart, 0, kNoPart});
+  parts.members.push_back({0, {0}});
+  const std::vector<KnownObject<2>> objects{{{0}, {{{20.1F, 0.1F}}, {{21.2F, 1.2F}}}}};
+  StructureLimits limits{.margin = 0.15F};
+  limits.tolerance.object.outer_digits = limits.tolerance.object.inner_digits = WrittenDigits{3, 1};
+  EXPECT_TRUE(check_structure<2>(parts, objects, {}, limits).empty());
+  limits.margin = 0.3F;
+  const auto faults = check_structure<2>(parts, objects, {}, limits);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_THAT(faults[0].text, HasSubstr("a margin of 0.1 along x, less than 0.3"));
+}
+
 /// As 2D engines of which the nodes have a third axis.
 TEST(StructureCheck, LeavesOutAnAxisAlongWhichAParentIsFlat) {
   const auto flat = [](Scalar low, Scalar high) { return Box<3>{{{low, 0, 0}}, {{high, 4, 0}}}; };
