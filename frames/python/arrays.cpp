@@ -98,13 +98,17 @@ py::array as_array(const py::handle& given, const std::string& what) {
 std::string shape_text(const py::array& array) { return py::str(py::tuple(py::object(array.attr("shape")))); }
 
 void check_box_shape(const py::array& array, int dimension, const std::string& what) {
-  if (array.ndim() == 3 && array.shape(1) == 2 && array.shape(2) == dimension) return;
+  const auto is_asked = [&](py::ssize_t of) { return dimension == 0 ? of == 2 || of == 3 : of == dimension; };
+  if (array.ndim() == 3 && array.shape(1) == 2 && is_asked(array.shape(2))) return;
   if (array.ndim() == 1 && array.size() == 0) return;
-  const std::string d = std::to_string(dimension);
-  std::string problem = "the shape is " + shape_text(array) + ", but must be (n, 2, " + d +
-                        "): n rows of a lower and an upper corner";
-  if (array.ndim() == 2 && array.shape(1) == 2 * dimension)
-    problem += "; rows of min_x, ..., max_x, ... become that by .reshape(-1, 2, " + d + ")";
+  const auto shape = [](const std::string& d) { return "(n, 2, " + d + ")"; };
+  std::string problem =
+      "the shape is " + shape_text(array) + ", but must be " +
+      (dimension == 0 ? shape("2") + " or " + shape("3") : shape(std::to_string(dimension))) +
+      ": n rows of a lower and an upper corner";
+  if (array.ndim() == 2 && array.shape(1) % 2 == 0 && is_asked(array.shape(1) / 2))
+    problem += "; rows of min_x, ..., max_x, ... become that by .reshape(-1, 2, " +
+               std::to_string(array.shape(1) / 2) + ")";
   fail(what, problem);
 }
 

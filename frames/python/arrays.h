@@ -35,7 +35,7 @@ class BoxRows {
   std::span<const Box<D>> boxes_;
 };
 
-/// Throws ValueError unless the array has rows of a lower and an upper corner of D numbers.
+/// Throws ValueError unless the array has rows of a lower and an upper corner; `dimension` 0: of either.
 void check_box_shape(const pybind11::array& array, int dimension, const std::string& what);
 
 /// Ids from Python: a list of whole numbers from 0 to 2^32 - 2.

@@ -38,9 +38,8 @@ Touching touching_from(const std::string& text) {
 /// In C order, float32 as it is and everything else as float64, with rows that are boxes.
 py::array checkable(const py::array& array, const std::string& what) {
   if (array.ndim() == 1 && array.size() == 0) return py::array_t<double>({0, 2, 2});
-  const bool is_2d = array.ndim() == 3 && array.shape(2) == 2;
-  check_box_shape(array, is_2d ? 2 : 3, what);
-  if (is_2d) {
+  check_box_shape(array, 0, what);
+  if (array.shape(2) == 2) {
     (void)BoxRows<2>(array, what);
   } else {
     (void)BoxRows<3>(array, what);
@@ -52,10 +51,13 @@ py::array checkable(const py::array& array, const std::string& what) {
 
 std::vector<py::array> steps_from(const py::object& given) {
   const bool is_list = py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given);
-  const bool of_arrays = is_list && py::len(given) > 0 && py::isinstance<py::array>(given[py::int_(0)]);
+  constexpr const char* kNone = "boxes: there is no step; of a step without boxes give shape (0, 2, 2)";
+  if (is_list && py::len(given) == 0) throw py::value_error(kNone);
+  const bool of_arrays = is_list && py::isinstance<py::array>(given[py::int_(0)]);
   if (!of_arrays) {
     const py::array array = as_array(given, "boxes");
     if (array.ndim() != 4) return {checkable(array, "boxes")};
+    if (array.shape(0) == 0) throw py::value_error(kNone);
   }
   std::vector<py::array> steps;
   for (const auto& step : given)

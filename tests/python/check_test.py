@@ -294,8 +294,13 @@ def test_shrinking_can_be_left_out():
 
 
 def test_nothing_is_right():
-    for empty in [np.empty((0, 2, 3)), np.empty((4, 0, 2, 2)), np.empty((0, 5, 2, 2)), []]:
+    for empty in [np.empty((0, 2, 3)), np.empty((4, 0, 2, 2)), [np.empty((0, 2, 2))]]:
         assert kerf.check(right, empty) is None
+    for no_step in [np.empty((0, 5, 2, 2)), [], ()]:
+        with pytest.raises(ValueError, match="boxes: there is no step"):
+            kerf.check(right, no_step)
+    with pytest.raises(ValueError, match=r"\(7, 4\), but must be \(n, 2, 2\) or \(n, 2, 3\).*reshape\(-1, 2, 2\)"):
+        kerf.check(right, np.zeros((7, 4)))
     assert kerf.check(lambda boxes: np.empty((0, 2)), random_boxes(1, 2)) is None
 
 
