@@ -25,6 +25,7 @@ void sort_objects(std::span<ObjectId> objects) {
 // As one number, t is above the object, and the bits of floats that are not negative grow with them.
 static_assert(std::endian::native == std::endian::little && sizeof(Hit) == sizeof(HitNumber) &&
               offsetof(Hit, t) == sizeof(HitNumber) / 2);
+HitNumber number_of(const Hit& hit) { return std::bit_cast<HitNumber>(hit); }
 void sort_hits(std::span<Hit> hits) {
   sort_found({reinterpret_cast<std::uint64_t*>(hits.data()), hits.size()});
 }
@@ -150,8 +151,7 @@ void find_all_hits(const BlockHierarchy<D>& blocks, const Cast<D>& cast, Take ta
   if (!query.works) {
     for_each_slot(blocks, [&](std::uint32_t slot) {
       if (!touches_slot(slot)) return true;
-      const auto hit =
-          std::bit_cast<HitNumber>(Hit{object_in(blocks, slot), entry_of(cast, box_in(blocks, slot))});
+      const HitNumber hit = number_of({object_in(blocks, slot), entry_of(cast, box_in(blocks, slot))});
       return take(std::span(&hit, 1));
     });
     return;
@@ -182,7 +182,7 @@ struct FirstSearch : NearRoom {
     const Box<D> box = box_in(blocks, slot);
     if (doubtful && !touches(cast, box)) return bound;
     const Hit hit{object_in(blocks, slot), entry_of(cast, box)};
-    if (!(hit < first) || !filter.takes(hit.object)) return bound;
+    if (number_of(hit) >= number_of(first) || !filter.takes(hit.object)) return bound;
     first = hit;
     constexpr Scalar kMax = std::numeric_limits<Scalar>::max();  // or larger
     return hit.t < kMax ? hit.t : std::numeric_limits<Scalar>::infinity();

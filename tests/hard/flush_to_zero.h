@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #if defined(__SSE__)
 #include <immintrin.h>
 #endif
@@ -10,10 +12,11 @@ namespace kerf::test {
 /// does nothing if so requested, or on a machine that has no such mode.
 class FlushToZero {
  public:
-  explicit FlushToZero(bool on) : before_(control()) {
+  enum class Where : std::uint8_t { everywhere, operands };
+  explicit FlushToZero(bool on, Where where = Where::everywhere) : before_(control()) {
     constexpr unsigned kFlushResults = 0x8000;
     constexpr unsigned kFlushOperands = 0x0040;
-    if (on) set_control(before_ | kFlushResults | kFlushOperands);
+    if (on) set_control(before_ | kFlushOperands | (where == Where::operands ? 0 : kFlushResults));
   }
   ~FlushToZero() { set_control(before_); }
   FlushToZero(const FlushToZero&) = delete;

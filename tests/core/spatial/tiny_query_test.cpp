@@ -119,6 +119,22 @@ TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
   }
 }
 
+/// Where results stay denormal, comparing them takes them for zero.
+TYPED_TEST(TinyQueries, TheFirstHitIsTheFirstOfAllThoughDenormalOperandsAreZero) {
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    const FlushToZero flush(true, FlushToZero::Where::operands);
+    for (int round = 0; round < 500 && !this->HasFailure(); ++round) {
+      const Ray<TestFixture::kD> ray{this->point(), this->direction()};
+      std::vector<Hit> hits;
+      Hit first;
+      ASSERT_EQ(this->index_.hits(ray, hits), QueryStatus::ok);
+      ASSERT_EQ(this->index_.first_hit(ray, first), QueryStatus::ok);
+      ASSERT_EQ(first.object, hits.empty() ? ObjectId::none() : hits.front().object);
+    }
+  }
+}
+
 TYPED_TEST(TinyQueries, ALengthBelowZeroIsRefusedThoughDenormalsAreZero) {
   constexpr Scalar kTiny = -0x1p-149F;
   const FlushToZero flush(true);
