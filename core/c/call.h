@@ -41,11 +41,24 @@ constexpr std::size_t kLeastError = offsetof(kerf_error, text) + 16;
 
 constexpr kerf_status to_c(WorldStatus status) { return static_cast<kerf_status>(status); }
 
+/// Stands for whatever a callback of the caller's has thrown.
+struct CallbackThrew {};
+template <class Call>
+auto call_back(Call call) {
+  try {
+    return call();
+  } catch (...) {
+    throw CallbackThrew{};
+  }
+}
+
 /// Calls C++ for C: every exception becomes a status.
 template <class Call>
 kerf_status guarded(Call call) noexcept {
   try {
     return call();
+  } catch (const CallbackThrew&) {
+    return KERF_CALLBACK_THREW;
   } catch (const std::bad_alloc&) {
     return KERF_OUT_OF_MEMORY;
   } catch (const std::length_error&) {

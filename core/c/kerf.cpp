@@ -85,6 +85,8 @@ const char* kerf_status_text(kerf_status status) {
       return "there is no more memory";
     case KERF_INTERNAL_ERROR:
       return "a fault of Kerf's: please report it";
+    case KERF_CALLBACK_THREW:
+      return "a callback threw an exception, which ended in Kerf: it must return";
     case KERF_BAD_QUERY:
       return "a query with NaN, an infinite place, a minimum above its maximum, or a negative length";
     default:

@@ -60,7 +60,8 @@ enum kerf_status_code {
   KERF_BUSY = 68, /* called by a callback of the world, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
   KERF_INTERNAL_ERROR = 70, /* a fault of Kerf's: please report it */
-  KERF_BAD_QUERY = 71       /* a query with NaN, an infinite place, min > max or a negative length */
+  KERF_BAD_QUERY = 71,      /* a query with NaN, an infinite place, min > max or a negative length */
+  KERF_CALLBACK_THREW = 72  /* a callback of the caller's threw a C++ exception: a step is to be made again */
 };
 
 /* What an object is to the program. Pairs are reported if at least one object is moving or a sensor. */
@@ -195,6 +196,5 @@ KERF_API kerf_status kerf_world_restore(kerf_world* world, const void* bytes, si
 #endif
 
 #include <kerf_queries.h>
-
 /* NOLINTEND(readability-identifier-naming,modernize-*) */
 #endif

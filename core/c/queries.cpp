@@ -19,7 +19,9 @@ kerf_status read_filter(const kerf_query_filter* from, WorldQueryFilter& to) {
   to.kinds = given.kinds;
   to.filter = PairFilter{given.category, given.mask, given.group};
   if (given.accepts != nullptr)
-    to.accepts = [given](Handle handle) { return given.accepts(given.context, handle.value) != 0; };
+    to.accepts = [given](Handle handle) {
+      return call_back([&] { return given.accepts(given.context, handle.value) != 0; });
+    };
   return KERF_OK;
 }
 

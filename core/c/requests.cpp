@@ -134,7 +134,8 @@ kerf_status kerf_world_set_callback(kerf_world* world, kerf_pair_callback callba
     kerf::PairCallback function;
     if (callback != nullptr)
       function = [callback, context](const kerf::WorldPair& pair) {
-        return callback(context, reinterpret_cast<const kerf_pair*>(&pair)) != 0;
+        return kerf::c::call_back(
+            [&] { return callback(context, reinterpret_cast<const kerf_pair*>(&pair)) != 0; });
       };
     body.set_callback(std::move(function));
     return KERF_OK;

@@ -109,7 +109,10 @@ void agree_on_beside(FolderListing& a, FolderListing& b) {
 std::vector<std::string> compare_others(const FilesByName& reference, const FilesByName& test) {
   std::vector<std::string> faults;
   const auto refuse = [&faults](const fs::path& path, const char* why) {
-    const char* const what = fs::is_directory(path) ? " is an empty folder" : " is no PNG";
+    const bool is_hidden = path.filename().string().starts_with(".");
+    const char* const what = fs::is_directory(path) ? " is an empty folder"
+                             : is_hidden            ? " is a hidden file"
+                                                    : " is no PNG";
     faults.push_back(path.string() + what + why);
   };
   for (const auto& [name, path] : reference) {

@@ -29,7 +29,8 @@ bool is_folder(const fs::path& path) {
 }
 
 void require_frames(const fs::path& folder, const FolderListing& listing) {
-  if (listing.frames.empty() && listing.faults.empty()) refuse(folder, "it holds no PNG file");
+  if (listing.frames.empty() && listing.faults.empty())
+    refuse(folder, "it holds no PNG file, or only hidden ones");
 }
 
 bool is_well_typed(const nlohmann::json& json) {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,25 @@ TEST(CInterface, ACallbackDecidesAndCannotChangeItsWorld) {
   EXPECT_EQ(kerf_world_set_callback(world.get(), nullptr, nullptr), KERF_OK);
   EXPECT_EQ(kerf_world_step(world.get()), KERF_OK);
   EXPECT_EQ(text(world.get(), kerf_world_begun), "1-2");
+}
+
+/// It is no fault of Kerf's, nor of its options or memory.
+TEST(CInterface, WhatACallbackThrowsIsItsOwn) {
+  const Owned world = make_world();
+  for (int k = 0; k < 2; ++k) add(world.get(), 0);
+  const auto ask = [](void*, const kerf_pair*) -> int { throw std::invalid_argument("mine"); };
+  EXPECT_EQ(kerf_world_set_callback(world.get(), ask, nullptr), KERF_OK);
+  EXPECT_EQ(kerf_world_step(world.get()), KERF_CALLBACK_THREW);
+  EXPECT_EQ(kerf_world_set_callback(world.get(), nullptr, nullptr), KERF_OK);
+  EXPECT_EQ(kerf_world_step(world.get()), KERF_OK);
+  kerf_query_filter filter{};
+  ASSERT_EQ(kerf_query_filter_init(&filter, sizeof filter), KERF_OK);
+  filter.accepts = [](void*, kerf_handle) -> int { throw 1; };
+  const std::array<float, 4> all{-9, -9, 9, 9};
+  std::size_t count = 0;
+  EXPECT_EQ(kerf_world_update_index(world.get()), KERF_OK);
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, nullptr, 0, &count),
+            KERF_CALLBACK_THREW);
 }
 
 TEST(CInterface, AWorldIsSavedAndRestored) {
