@@ -116,7 +116,7 @@ void DigitStatistics::note(std::string_view text, double value) {
   has_more_decimals_ |= !is_counted;
   if (number.has_point) {
     has_zeros_ |= number.ends_in_zero && number.decimals > 1 && !number.has_exponent;
-    (void)keep_once(with_point_, value, kMany);
+    with_point_.note(value);
   }
   if (number.has_point || is_small) {
     least_decimals_ = std::min(least_decimals_, decimals);
@@ -173,7 +173,7 @@ bool DigitStatistics::are_open() const {
 bool DigitStatistics::is_fixed() const {
   if (has_exponent_ || least_decimals_ != most_decimals_ || most_decimals_ < kLeastDecimals) return false;
   if (has_more_decimals_) return false;
-  if (has_zeros_ && with_point_.size() >= kMany) return true;  // whatever they are
+  if (has_zeros_ && with_point_.some.size() >= kMany) return true;  // whatever they are
   if (!has_zeros_ && !are_rounded(0)) return false;
   std::size_t of_many_digits = 0;
   for (std::size_t k = kLeastDigits; k <= kMostDigits; ++k) of_many_digits += by_digits_[k].some.size();
@@ -220,7 +220,7 @@ BoundRounding DigitStatistics::suspected() const {
   if (rounding() != BoundRounding{}) return {};
   const bool same_decimals =
       !has_exponent_ && most_decimals_ > 0 && least_decimals_ == most_decimals_ && !has_more_decimals_;
-  if (same_decimals && has_zeros_ && most_decimals_ > kLeastDecimals)
+  if (same_decimals && has_zeros_ && (most_decimals_ > kLeastDecimals || with_point_.count >= kMany))
     return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
   std::size_t digits = usual_digits();
   if (!is_whole() && most_digits_ >= kLeastWhole && short_[most_digits_].surprise > 0) digits = most_digits_;
@@ -254,8 +254,10 @@ std::optional<double> BoundWriting::note(std::string_view text) {
   return is_huge ? std::nullopt : value;
 }
 
+/// Boxes that all have the same text are no planes: all of each was rounded away.
 BoundRounding BoundWriting::with_planes(BoundRounding rounding) const {
-  if (rounding == BoundRounding{}) return rounding;
+  const auto may_differ = [](const Plane& plane) { return plane.at && !plane.holds; };
+  if (rounding == BoundRounding{} || std::ranges::none_of(planes_, may_differ)) return rounding;
   for (std::size_t axis = 0; axis < planes_.size(); ++axis)
     if (planes_[axis].at && planes_[axis].holds) rounding.planes |= 1U << axis;
   return rounding;

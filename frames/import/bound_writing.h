@@ -56,7 +56,7 @@ class DigitStatistics {
   std::array<Seen, kMostDigits + 1> by_digits_{};
   std::array<Short, kMostDigits + 1> short_{};         ///< by digits
   std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without a large exponent
-  std::vector<double> with_point_{};                   ///< some of all numbers that have one, each once
+  Seen with_point_{};                                  ///< all numbers that have one
   std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent
   std::size_t most_decimals_ = 0;                      ///< of all numbers with a point, and small ones
   std::size_t least_decimals_ = kMostDecimals;

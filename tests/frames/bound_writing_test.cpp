@@ -119,6 +119,7 @@ TEST(BoundWriting, ZerosAtTheEndSayHowManyDecimalsThereAre) {
   whole.resize(7);
   EXPECT_EQ(rounding_of(whole), BoundRounding());
   EXPECT_EQ(writing_of(whole).suspected(), (BoundRounding{0, 6, false}));
+  EXPECT_EQ(writing_of({8, "-0.00"}).suspected(), (BoundRounding{0, 2, false})) << "a scene in thousandths";
   whole.insert(whole.end(), {"7.5", "8.25", "1e30"});
   EXPECT_EQ(writing_of(whole).suspected(), BoundRounding()) << "they differ";
 }
