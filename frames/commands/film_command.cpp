@@ -1,3 +1,6 @@
+#include <cstdio>
+
+#include "core/base/counted.h"
 #include "frames/commands/command.h"
 #include "frames/story/story.h"
 #include "frames/story/story_request.h"
@@ -47,7 +50,13 @@ FilmCommand::FilmCommand(CLI::App& program)
       "the operators on the largest nodes, while their planes move.");
 }
 
-void FilmCommand::run() const { make_story(parse_story_request(texts_)); }
+void FilmCommand::run() const {
+  const StoryRequest request = parse_story_request(texts_);
+  make_story(request);
+  const std::string still = request.still.empty() ? "" : ", " + request.still.string();
+  std::printf("%s: %s%s\n", request.pictures.film.video.c_str(), counted(request.frames, "frame").c_str(),
+              still.c_str());
+}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
+#include <cstdio>
 #include <string>
 
+#include "core/base/counted.h"
 #include "frames/commands/command.h"
 #include "frames/sequence/render_request.h"
 #include "frames/sequence/sequence.h"
@@ -11,8 +13,14 @@ std::string layer_names() { return to_string(LayerSet::all()); }
 
 template <int D>
 std::string names_of() {
+  constexpr std::size_t kColumns = 100;
   std::string names;
-  for (const std::string& name : broad_phase_names<D>()) names += (names.empty() ? "" : ", ") + name;
+  std::size_t used = 0;
+  for (const std::string& name : broad_phase_names<D>()) {
+    const bool is_full = used + name.size() > kColumns;
+    names += (names.empty() ? "" : is_full ? ",\n      " : ", ") + name;
+    used = (is_full ? 0 : used) + name.size() + 2;
+  }
   return names;
 }
 
@@ -100,7 +108,15 @@ RenderCommand::RenderCommand(CLI::App& program)
 }
 
 void RenderCommand::run() const {
-  render_sequence(names_recording(texts_) ? parse_recording_request(texts_) : parse_request(texts_));
+  const RenderRequest request =
+      names_recording(texts_) ? parse_recording_request(texts_) : parse_request(texts_);
+  render_sequence(request);
+  const Shard& shard = request.shard;
+  const std::uint32_t frames = (request.steps.frames() + shard.count - 1 - shard.index) / shard.count;
+  std::string files = request.out.string() + ": " + counted(frames, "frame");
+  for (const std::filesystem::path& file : {request.film.video, request.film.contact_sheet, request.record})
+    if (!file.empty()) files += ", " + file.string();
+  std::puts(files.c_str());
 }
 
 }  // namespace
