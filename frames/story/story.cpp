@@ -16,6 +16,7 @@
 #include "frames/story/story_maker.h"
 #include "frames/story/story_still.h"
 #include "frames/story/story_timeline.h"
+#include "frames/story/story_words.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
 #include "frames/support/errors.h"
@@ -30,12 +31,6 @@ namespace kerf {
 namespace {
 
 constexpr double kTurn = 120;  ///< degrees that the camera turns in the whole film
-
-std::string sentence_of(const StoryMoment& moment, const GivenNames& names) {
-  Highlight highlight;
-  highlight.acted = moment.acted;
-  return "Step " + names.step(moment.step) + ": " + highlight.sentence();
-}
 
 std::string figures_of(const Caption& caption, const GivenNames& names) {
   return "step " + names.step(caption.step) + ", " + with_commas(caption.objects) +
@@ -166,32 +161,25 @@ class Story {
     const ProgressLine progress;
     const Stint stint;
     const Film::GoOn go_on = [&](std::uint32_t /*step*/) { return !interrupt_.requested(); };
-    std::optional<StoryMoment> last;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       progress.show("frame " + std::to_string(k + 1) + "/" + std::to_string(frames.size()) + "  " +
                     stint.left(static_cast<double>(k), static_cast<double>(frames.size())));
       if (interrupt_.requested() || !between.go_to(frames[k].step, steps.last, go_on))
         throw Interrupted("interrupted; no film was made");
-      if (frames[k].moment) last = moments[*frames[k].moment];
-      add<D>(k, frames, between, course, last);
+      add<D>(k, frames, between, course, moments);
     }
     crew_->finish();
   }
 
   template <int D>
   void add(std::size_t k, const std::vector<StoryFrame>& frames, const Between<D>& between,
-           const StoryCourse& course, const std::optional<StoryMoment>& last) {
+           const StoryCourse& course, const std::vector<StoryMoment>& moments) {
     const FrameParcel<D>& now = between.now();
     StoryInsert insert;
     insert.title = now.caption.scene;
     insert.figures = figures_of(now.caption, course.names);
-    if (last) insert.sentence = sentence_of(*last, course.names);
-    if (frames[k].moment)
-      insert.acting = last->acted.node.node;
-    else if (!now.plan.highlights.empty() &&
-             now.plan.snapshot.is_alive(now.plan.highlights.front().acted.node))
-      insert.acting = now.plan.highlights.front().acted.node.node;
-    if (frames[k].moment) insert.moment = last;
+    if (frames[k].moment) insert.moment = moments[*frames[k].moment];
+    tell_operator(now.plan, now.caption.step, course.names, insert);
     insert.progress = frames[k].progress;
     insert.turn = kTurn * (static_cast<double>(k) / static_cast<double>(frames.size()) - 0.5);
     insert.step = now.caption.step;
