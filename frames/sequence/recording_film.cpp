@@ -6,6 +6,7 @@
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/film.h"
 #include "frames/sequence/recording_file.h"
+#include "frames/sequence/their_errors.h"
 #include "viz/draw/camera.h"
 #include "viz/draw/recorded_bodies.h"
 
@@ -83,10 +84,13 @@ class RecordingFilm final : public Film {
     // A replay from a keyframe finds the pairs in another order.
     std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
     std::ranges::sort(pairs);
+    const TheirErrors theirs(*recording_, replayer_.step());
     FrameInput<D> input = moment();
     input.bodies = bodies;
     input.pairs = pairs;
-    input.caption = caption();
+    input.caption = theirs.counted_in(caption());
+    input.missed = theirs.missed;
+    input.extra = theirs.extra;
     return pack(input, planner_.plan(input));
   }
 

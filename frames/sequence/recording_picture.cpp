@@ -6,6 +6,7 @@
 #include "core/trace/event_facts.h"
 #include "core/tree/statistics_of.h"
 #include "frames/sequence/recording_file.h"
+#include "frames/sequence/their_errors.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/image/png.h"
@@ -94,12 +95,16 @@ const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
       cursor.state().latest,
       {looks.at(cursor.position().step), cursor.recording().shapes(), cursor.recording().info().marks});
   const std::vector<Event> events = recent_operators(cursor.recording(), cursor.position());
+  const Position now = cursor.position();
+  const TheirErrors theirs(cursor.recording(), now.is_end() ? now.step : now.step - 1);
   const FrameInput<D> input{.bodies = bodies,
                             .tree = &cursor.state().tree,
                             .pairs = cursor.state().pairs,
                             .contacts = {},
                             .events = events,
-                            .caption = caption_of(cursor)};
+                            .caption = theirs.counted_in(caption_of(cursor)),
+                            .missed = theirs.missed,
+                            .extra = theirs.extra};
   ViewBox<D> view;
   view.update(bodies);
   FramePlanner<D> planner(kRecordedLayers, 0);

@@ -54,6 +54,10 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
   if (caption.is_run) items.push_back({"moving", number(caption.moving, 5)});
   if (caption.knows_pairs) items.push_back({"pairs", number(caption.pairs, 5)});
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
+  if (caption.theirs) {
+    items.push_back({"they missed", number(caption.theirs->missed, 4)});
+    items.push_back({"extra", number(caption.theirs->extra, 4)});
+  }
   if (outside) items.push_back({"outside", number(*outside, 5)});
   if (!has_tree) return items;
   const Statistics& tree = caption.statistics;

@@ -13,6 +13,7 @@
 #include "viz/draw/painter.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/triad.h"
+#include "viz/draw/wrong_pair_lines.h"
 #include "viz/gl/context.h"
 #include "viz/gl/framebuffer.h"
 
@@ -112,6 +113,7 @@ struct FrameRenderer<D>::State {
     if (has(Layer::partitioners)) draw_partitioners(frame, glass);
     draw_pairs(frame, lines);
     if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front, frame.list);
+    if (has(Layer::pairs)) draw_errors(frame, front);
     if (tamper) tamper(batches, ids.list);
     if constexpr (D == 3) {
       painter.draw(back, Depth::test_and_write, Blend::replace);
@@ -120,6 +122,14 @@ struct FrameRenderer<D>::State {
       painter.draw(back, Depth::ignore);
     }
     paint_rest(batches);
+  }
+
+  static void draw_errors(const DrawContext<D>& frame, Batch& batch) {
+    const FrameInput<D>& input = frame.input;
+    const auto drawable = [&](std::span<const Pair> pairs) {
+      return drawable_pairs<D>(pairs, input.bodies, {}, pairs.size());
+    };
+    draw_wrong_pairs<D>(frame, {input.bodies, drawable(input.missed), drawable(input.extra)}, batch);
   }
 
   void paint_rest(const std::array<Batch, 4>& passes) const {
@@ -168,7 +178,9 @@ struct FrameRenderer<D>::State {
     const CameraChoice<D> now = camera_path.at(time_of(input.caption), camera);
     if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree, told_outside(plan, now));
     std::vector<LegendItem> legend;
-    if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, ramp_text(plan));
+    if (has(Layer::legend))
+      legend =
+          legend_items(options.layers, D, plan.has_tree, ramp_text(plan), input.caption.theirs.has_value());
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
     const Layout layout =
         within(options.margins, make_layout(font, options.width, options.height, caption, has_log, legend));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,6 +36,11 @@ struct Caption {
   bool knows_contacts = true;
   bool knows_pairs = true;
   bool is_run = true;  ///< false: boxes as such, which have no step and do not move
+  struct Theirs {
+    std::uint64_t missed = 0;
+    std::uint64_t extra = 0;
+  };
+  std::optional<Theirs> theirs{};  ///< another engine's errors in this step; none: none were judged
 };
 
 /// The number of steps for which an operator stays highlighted, unless a frame says otherwise.
@@ -52,6 +58,8 @@ struct FrameInput {
   std::span<const Event> events;
   Caption caption;
   std::uint32_t highlight_steps = kHighlightSteps;
+  std::span<const Pair> missed{};  ///< overlaps that another engine did not report
+  std::span<const Pair> extra{};   ///< what it reported, and is no pair
 };
 
 /// From this number of bodies on, edges are drawn jagged unless the options say otherwise.

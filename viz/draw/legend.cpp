@@ -8,9 +8,9 @@ namespace kerf {
 namespace {
 
 int swatch_width(const Font& font, Swatch swatch) {
-  const bool is_line =
-      swatch == Swatch::partitioner || swatch == Swatch::candidate || swatch == Swatch::contact;
-  return (swatch == Swatch::population ? 6 : is_line ? 3 : 2) * font.advance();
+  const bool is_block = swatch == Swatch::moving || swatch == Swatch::fixed || swatch == Swatch::straddler ||
+                        swatch == Swatch::highlight;
+  return (swatch == Swatch::population ? 6 : is_block ? 2 : 3) * font.advance();
 }
 
 int gap(const Font& font) { return 2 * font.advance(); }
@@ -39,6 +39,10 @@ class SwatchPainter {
         bar(box, {palette::kContact, 2 * scale_});
         return add_diamond_on_picture(batch_, view_, {box.left + box.width / 2, box.top + box.height / 2},
                                       4 * scale_, palette::kContact);
+      case Swatch::missed:
+        return error(box, palette::kMissed);
+      case Swatch::extra:
+        return error(box, palette::kExtra);
       case Swatch::highlight:
         return frame(box, {palette::kOperator, 3 * scale_});
     }
@@ -66,6 +70,14 @@ class SwatchPainter {
     add_line_on_picture(batch_, view_, {box.left, y}, {box.left + box.width, y}, stroke);
   }
 
+  void error(const Viewport& box, Color color) const {
+    const Eigen::Vector2d middle(box.left + box.width / 2, box.top + box.height / 2);
+    bar(box, {palette::kInk, 4 * scale_});
+    add_diamond_on_picture(batch_, view_, middle, 6 * scale_, palette::kInk);
+    bar(box, {color, 2 * scale_});
+    add_diamond_on_picture(batch_, view_, middle, 4.5 * scale_, color);
+  }
+
   void frame(const Viewport& box, const Stroke& stroke) const {
     const Eigen::Vector2d a(box.left, box.top);
     const Eigen::Vector2d c(box.left + box.width, box.top + box.height);
@@ -85,7 +97,7 @@ class SwatchPainter {
 }  // namespace
 
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
-                                     const std::string& largest_population) {
+                                     const std::string& largest_population, bool has_theirs) {
   const bool tinted = layers.has(Layer::leaves) && has_tree;
   std::vector<LegendItem> items;
   if (layers.has(Layer::objects)) {
@@ -103,6 +115,10 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
     items.push_back({Swatch::candidate, apart ? "pair, no contact" : "pair"});
   }
   if (layers.has(Layer::contacts)) items.push_back({Swatch::contact, "contact"});
+  if (layers.has(Layer::pairs) && has_theirs) {
+    items.push_back({Swatch::missed, "missed"});
+    items.push_back({Swatch::extra, "extra"});
+  }
   if (layers.has(Layer::operators) && has_tree) items.push_back({Swatch::highlight, "operator"});
   return items;
 }

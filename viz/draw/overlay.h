@@ -39,7 +39,18 @@ struct CaptionItem {
 };
 
 /// One swatch of the legend.
-enum class Swatch { moving, fixed, straddler, population, partitioner, candidate, contact, highlight };
+enum class Swatch {
+  moving,
+  fixed,
+  straddler,
+  population,
+  partitioner,
+  candidate,
+  contact,
+  missed,
+  extra,
+  highlight
+};
 struct LegendItem {
   Swatch swatch;
   std::string text;
@@ -48,9 +59,10 @@ struct LegendItem {
 /// The caption's items in order. Numbers have room to grow, so that they stand still in a film.
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
                                        std::optional<std::uint32_t> outside = std::nullopt);
-/// The items that the layers shown call for. `largest_population`: "64", where the ramp ends.
+/// The items that the layers shown call for. `largest_population`: "64", where the ramp ends. `has_theirs`:
+/// another engine's errors are drawn.
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
-                                     const std::string& largest_population);
+                                     const std::string& largest_population, bool has_theirs = false);
 
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);

@@ -103,7 +103,7 @@ std::vector<Body<D>> read_bodies(RawReader& in) {
 
 void caption_fields(auto& bytes, auto& of) {
   bytes(of.scene, of.broad_phase, of.step_name, of.note, of.step, of.objects, of.moving, of.pairs,
-        of.contacts, of.statistics, of.knows_contacts, of.knows_pairs, of.is_run);
+        of.contacts, of.statistics, of.knows_contacts, of.knows_pairs, of.is_run, of.theirs);
 }
 
 void point_fields(auto& bytes, auto& p) { bytes(p.x(), p.y(), p.z()); }
@@ -134,7 +134,8 @@ std::vector<std::uint8_t> pack(const FrameInput<D>& input, const FramePlan<D>& p
   BodyPacker<D> bodies;
   for (const Body<D>& body : input.bodies) bodies.add(body);
   bodies.write(out);
-  out(input.pairs, input.contacts, plan.snapshot.root(), plan.snapshot.nodes(), plan.snapshot.planes());
+  out(input.pairs, input.contacts, input.missed, input.extra, plan.snapshot.root(), plan.snapshot.nodes(),
+      plan.snapshot.planes());
   caption_fields(out, input.caption);
   plan_fields(out, plan);
   return out.take();
@@ -145,7 +146,7 @@ FrameParcel<D> unpack(std::span<const std::uint8_t> bytes) {
   RawReader in(bytes);
   FrameParcel<D> parcel;
   parcel.bodies = read_bodies<D>(in);
-  in(parcel.pairs, parcel.contacts);
+  in(parcel.pairs, parcel.contacts, parcel.missed, parcel.extra);
   const auto root = in.get<NodeId>();
   auto nodes = in.get<std::vector<TreeSnapshot::Node>>();
   parcel.plan.snapshot.assign(root, std::move(nodes), in.get<std::vector<Plane<D>>>());

@@ -14,11 +14,15 @@ struct FrameParcel {
   std::vector<Body<D>> bodies;
   std::vector<Pair> pairs;
   std::vector<Pair> contacts;
+  std::vector<Pair> missed;
+  std::vector<Pair> extra;
   Caption caption;
   FramePlan<D> plan;
 
   /// The renderer's input beside `plan`.
-  [[nodiscard]] FrameInput<D> input() const { return {bodies, nullptr, pairs, contacts, {}, caption}; }
+  [[nodiscard]] FrameInput<D> input() const {
+    return {bodies, nullptr, pairs, contacts, {}, caption, kHighlightSteps, missed, extra};
+  }
 };
 
 /// Serialises it for another process of the same program.

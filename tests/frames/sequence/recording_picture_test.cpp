@@ -3,16 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 
 #include "core/query/search.h"
 #include "core/trace/event_facts.h"
 #include "frames/support/parse_expression.h"
 #include "tests/frames/program.h"
+#include "viz/draw/palette.h"
 
 namespace kerf {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -113,6 +116,65 @@ TEST_F(RecordingPicture, NothingIsSaidOfContactsThatNoRecordingHolds) {
   cursor().go_to_step(40);
   EXPECT_THAT(texts(), Not(Contains(HasSubstr("contact"))));
   EXPECT_THAT(texts(), Contains("pair"));
+}
+
+/// An engine that misses the pair of 0 and 1 in step 2, and invents two others.
+std::filesystem::path import_errors(const test::TemporaryFolder& folder) {
+  std::ofstream(folder.path() / "boxes.csv")
+      << "step,object,min_x,max_x,min_y,max_y\n1,0,0,2,0,2\n1,1,1,3,1,3\n1,2,6,8,0,2\n2,2,6,8,1,3\n";
+  std::ofstream(folder.path() / "pairs.csv") << "step,a,b\n1,0,1\n2,0,2\n2,1,2\n";
+  const std::filesystem::path file = folder.path() / "theirs.kerf";
+  const test::RunOutcome imported = test::run_kerf(
+      {"import", folder.path() / "boxes.csv", "--pairs", folder.path() / "pairs.csv", "-o", file});
+  EXPECT_THAT(imported.out, HasSubstr("1 missed, 2 extra")) << imported.err;
+  return file;
+}
+
+/// A recording with wrong pairs looked like one without.
+TEST(PictureOfAnImport, ShowsWhatTheOtherEngineGotWrong) {
+  const test::TemporaryFolder folder;
+  Cursor<2> cursor(std::make_shared<RecordingReader<2>>(import_errors(folder)));
+  FrameOptions options;
+  options.layers = kRecordedLayers;
+  options.ids = true;
+  FrameRenderer<2> renderer(options);
+  const auto pixels_of = [&](Color color) {
+    const Image& image = render_moment(cursor, renderer);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < image.rgba.size(); k += 4)
+      count += image.rgba[k] == color.r && image.rgba[k + 1] == color.g && image.rgba[k + 2] == color.b;
+    return count;
+  };
+  const auto texts = [&] {
+    std::vector<std::string> all;
+    for (const DrawnText& text : renderer.ids().list.texts) all.push_back(text.text);
+    return all;
+  };
+  cursor.go_to_step(1);
+  const std::size_t in_the_legend = pixels_of(palette::kMissed);
+  EXPECT_EQ(value_of(texts(), "they missed"), "   0");
+  cursor.go_to_step(2);
+  EXPECT_GT(pixels_of(palette::kMissed), in_the_legend + 100);
+  EXPECT_GT(pixels_of(palette::kExtra), in_the_legend + 100);
+  EXPECT_EQ(value_of(texts(), "they missed"), "   1");
+  EXPECT_EQ(value_of(texts(), "extra"), "   2");
+}
+
+TEST(PictureOfAnImport, ItsFilmSaysTheSame) {
+  const test::TemporaryFolder folder;
+  const test::RunOutcome rendered =
+      test::run_kerf({"render", import_errors(folder), "--out", folder.path() / "out", "--ids", "--steps",
+                      "1:2:1", "--workers", "1"});
+  ASSERT_EQ(rendered.exit, 0) << rendered.err;
+  EXPECT_THAT(rendered.out, EndsWith("out: 2 frames\n"));
+  EXPECT_THAT(test::read_text(folder.path() / "out/theirs_000001.draw.json"),
+              AllOf(HasSubstr("\"   1\""), HasSubstr("\"   2\"")));
+}
+
+/// Of a scene there is nothing to judge.
+TEST_F(RecordingPicture, NothingIsSaidOfAnotherEngineWhereThereIsNone) {
+  cursor().go_to_step(40);
+  EXPECT_THAT(texts(), Not(Contains("missed")));
 }
 
 }  // namespace

@@ -15,13 +15,13 @@
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/selected_box.h"
 #include "viz/debugger/scene/their_nodes_view.h"
-#include "viz/debugger/scene/wrong_pair_lines.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
 #include "viz/draw/structure_draw.h"
 #include "viz/draw/themed_batch.h"
 #include "viz/draw/triad.h"
+#include "viz/draw/wrong_pair_lines.h"
 
 namespace kerf {
 namespace {

@@ -8,7 +8,8 @@
 
 namespace kerf {
 
-/// Those of some pairs whose objects can be drawn and are shown, `most` of them.
+/// Those of some pairs whose objects can be drawn and are shown, `most` of them. `shown`: by object; empty:
+/// all.
 template <int D>
 std::vector<Pair> drawable_pairs(std::span<const Pair> pairs, std::span<const Body<D>> bodies,
                                  std::span<const std::uint8_t> shown, std::size_t most);

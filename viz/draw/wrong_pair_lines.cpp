@@ -1,4 +1,4 @@
-#include "viz/debugger/scene/wrong_pair_lines.h"
+#include "viz/draw/wrong_pair_lines.h"
 
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
@@ -30,7 +30,7 @@ template <int D>
 std::vector<Pair> drawable_pairs(std::span<const Pair> pairs, std::span<const Body<D>> bodies,
                                  std::span<const std::uint8_t> shown, std::size_t most) {
   const auto is_shown = [&](ObjectId object) {
-    return object.index() < bodies.size() && shown[object.index()] != 0 &&
+    return object.index() < bodies.size() && (shown.empty() || shown[object.index()] != 0) &&
            is_drawable(bodies[object.index()]);
   };
   std::vector<Pair> drawable;
