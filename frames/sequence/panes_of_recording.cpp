@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -75,6 +76,19 @@ class PanesOfRecording final : public PanesFilm<D> {
                      [&](const ObjectRequest<D>& request) { apply(request, table); });
   }
 
+  /// Some trees keep fat boxes around objects.
+  static Box<D> with_room(Box<D> box) {
+    constexpr Scalar kRoom = 0.03F;
+    const Vector<D> extent = box.extent();
+    Scalar room = 0;
+    for (int i = 0; i < D; ++i) room = std::max(room, kRoom * extent[i]);
+    for (int i = 0; i < D; ++i) {
+      box.min[i] -= room;
+      box.max[i] += room;
+    }
+    return box;
+  }
+
   /// The view holds what every frame shows; libraries that need bounds get those of all boxes.
   static Outlook look_through(RecordingReader<D>& recording, const RenderRequest& request) {
     SceneBox<D> view(parse_camera<D>(request.camera).framing);
@@ -90,7 +104,7 @@ class PanesOfRecording final : public PanesFilm<D> {
     }
     outlook.hints.capacity = static_cast<std::uint32_t>(table.bound()) + 1;
     if (!is_valid(outlook.hints.bounds)) outlook.hints.bounds = {};
-    outlook.bounds = view.box();
+    outlook.bounds = with_room(view.box());
     return outlook;
   }
 

@@ -11,6 +11,7 @@
 
 #include "frames/catalog/broad_phase_choice.h"
 #include "frames/catalog/scene_catalog.h"
+#include "frames/sequence/farm/panes_parcel.h"
 #include "frames/sequence/pane_of.h"
 #include "frames/sequence/side_by_side.h"
 #include "tests/images/reference_frames.h"
@@ -121,6 +122,15 @@ TYPED_TEST(StructurePictures, FollowFromTheirFrameAlone) {
   static_cast<void>(used.render(frame_of<kD>({"columns", "bullet-dbvt"})));
   PanesRenderer<kD> fresh(options_of(640, 360, false));
   EXPECT_EQ(used.render(frame), fresh.render(frame));
+}
+
+/// Pictures of a sequence are drawn in other processes.
+TYPED_TEST(StructurePictures, AreTheSameFromAParcel) {
+  constexpr int kD = TypeParam::value;
+  const PanesFrame<kD> frame = frame_of<kD>({"sphere-tree", "sweep-and-prune"});
+  PanesRenderer<kD> here(options_of(640, 360, false));
+  PanesRenderer<kD> there(options_of(640, 360, false));
+  EXPECT_EQ(here.render(frame), there.render(unpack_panes<kD>(pack_panes(frame))));
 }
 
 }  // namespace

@@ -77,7 +77,8 @@ std::vector<LegendMark> items_of(const PanesLegend& legend) {
   if (shown.has(Layer::objects)) {
     items.push_back({PaneMark::block, palette::kMoving, "moving"});
     items.push_back({PaneMark::block, palette::kFixed, "fixed"});
-    if (legend.has_straddlers) items.push_back({PaneMark::block, palette::kStraddler, "in 2+ cells"});
+    if (legend.has_straddlers && shown.has(Layer::leaves))
+      items.push_back({PaneMark::block, palette::kStraddler, "in 2+ cells"});
   }
   if (legend.has_cells && shown.has(Layer::leaves)) {
     items.push_back({PaneMark::fills, {}, "cell of 1 to " + std::to_string(kFullCell) + "+ objects"});

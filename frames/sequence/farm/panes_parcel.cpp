@@ -12,7 +12,7 @@ namespace {
 
 void pane_fields(auto& bytes, auto& pane) {
   auto& parts = pane.parts;
-  bytes(pane.name, parts.kind, parts.holding, parts.cells, parts.cuts, parts.members);
+  bytes(pane.name, parts.kind, parts.holding, parts.is_round, parts.cells, parts.cuts, parts.members);
   bytes.each(parts.lists, [&](auto& list) { bytes(list.axis, list.ends); });
   bytes(parts.tells_tested, parts.unseen, pane.pairs, pane.rejected, pane.figures);
 }
