@@ -105,7 +105,9 @@ void say_others(std::vector<Standing> standings, std::vector<std::string>& sente
 
 std::string times_text(double times) { return three_digits(times); }
 
-double step_milliseconds(const BenchRow& row) { return row.median_ns * row.cell.objects * 1e-6; }
+double step_ns(const BenchRow& row) { return row.round_ns.empty() ? row.median_ns : median_round(row); }
+
+double step_milliseconds(const BenchRow& row) { return step_ns(row) * row.cell.objects * 1e-6; }
 
 Advice advise(const CellResult& cell) {
   Advice advice;

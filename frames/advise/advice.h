@@ -30,5 +30,7 @@ Advice advise(const CellResult& cell);
 std::string times_text(double times);
 /// Milliseconds that a step of all objects takes.
 double step_milliseconds(const BenchRow& row);
+/// Nanoseconds of it for an object: the median of the rounds, by which broad phases are compared.
+double step_ns(const BenchRow& row);
 
 }  // namespace kerf

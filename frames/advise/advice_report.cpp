@@ -18,8 +18,8 @@ unsigned long long wide_number(std::uint64_t x) { return x; }
 std::string figures_text(const BenchRow& row) {
   const std::string tests =
       row.tests_per_pair ? printed("%10.1f", *row.tests_per_pair) : printed("%10s", "-");
-  return printed(" %8.1f %8.1f %s %9.0f", row.p99_ns / row.median_ns, row.max_ns / row.median_ns,
-                 tests.c_str(), static_cast<double>(row.rss_bytes) / row.cell.objects);
+  return printed(" %8.1f %8.1f %s %9.0f", row.p99_ns / step_ns(row), row.max_ns / step_ns(row), tests.c_str(),
+                 static_cast<double>(row.rss_bytes) / row.cell.objects);
 }
 
 std::string line_text(const Standing& standing) {

@@ -12,13 +12,14 @@ constexpr int kBarPlotWidth = 940;
 constexpr int kRow = 26;
 constexpr int kAround = 110;
 
-/// Row, value, the value as text, and the end of the error bar.
+/// Row, value, the end of the error bar, and both as text, which stands there.
 std::string data_block(const BarPlot& plot) {
   std::string data = "$bars << EOD\n";
   for (std::size_t k = 0; k < plot.bars.size(); ++k) {
     const double value = plot.bars[k].value;
-    data += std::to_string(k) + " " + plot_number(value) + " " + short_number(value) + " " +
-            plot_number(std::max(value, plot.bars[k].most)) + "\n";
+    const double most = std::max(value, plot.bars[k].most);
+    data += std::to_string(k) + " " + plot_number(value) + " " + plot_number(most) + " \"" +
+            short_number(value) + (most > value ? ", " + short_number(most) : "") + "\"\n";
   }
   return data + "EOD\n";
 }
@@ -32,7 +33,7 @@ std::string draw(const BarPlot& plot, std::string_view id) {
     most = std::max({most, bar.value, bar.most});
     names.push_back(bar.name);
   }
-  const double end = most > 0 ? 1.12 * most : 1;
+  const double end = most > 0 ? 1.25 * most : 1;
   const std::string script =
       frame_script(plot.title, plot.x_label) +
       "unset key\nunset grid\nset lmargin at screen 0.27\nset rmargin at screen 0.97\nset yrange [" +
@@ -40,7 +41,7 @@ std::string draw(const BarPlot& plot, std::string_view id) {
       "]\nset style fill solid 0.85 noborder\nset ytics scale 0 " + names_as_tics(names) + "\n" +
       data_block(plot) + "plot $bars using ($2/2):1:(0):2:($1-0.36):($1+0.36) with boxxyerror lc rgb " +
       series_color(0) +
-      ", $bars using 2:1:2:4 with xerrorbars ps 0 lw 1 lc rgb '#555555', $bars using 4:1:3 with labels left "
+      ", $bars using 2:1:2:3 with xerrorbars ps 0 lw 1 lc rgb '#555555', $bars using 3:1:4 with labels left "
       "offset 0.5,0";
   return run_gnuplot(script, kBarPlotWidth, kAround + kRow * static_cast<int>(plot.bars.size()), id);
 }
