@@ -95,8 +95,13 @@ std::vector<CurvePoint> points_of(const std::vector<TimedRun>& runs, const Panel
   return points_of(runs, panel.is_time, [&](const ExperimentStep& row) { return panel.value(row, k); });
 }
 
+/// In the steps in which those left to be tested were counted, with which they share a panel.
 StepValue true_pairs() {
-  return [](const ExperimentStep& row) { return static_cast<double>(row.pairs); };
+  return [](const ExperimentStep& row) {
+    const bool are_counted =
+        std::ranges::any_of(row.contestants, [](const auto& each) { return each.candidates >= 0; });
+    return are_counted ? static_cast<double>(row.pairs) : -1.0;
+  };
 }
 
 }  // namespace
