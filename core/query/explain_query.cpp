@@ -169,8 +169,16 @@ std::string ray_text(const QueryExplanation<D>& e, const GivenNames& names) {
 }
 
 template <int D>
+bool is_point(const AskedQuery<D>& query) {
+  const auto* const sphere = std::get_if<Sphere<D>>(&query);
+  return sphere != nullptr && sphere->radius == 0;
+}
+
+template <int D>
 std::string region_text(const QueryExplanation<D>& e, const GivenNames& names) {
-  return " overlaps " + std::to_string(e.found.size()) + " of " + counted(e.objects, "object") +
+  const std::string found = std::to_string(e.found.size()) + " of ";
+  return (is_point<D>(e.query) ? " lies in " + found + counted(e.objects, "box", "boxes")
+                               : " overlaps " + found + counted(e.objects, "object")) +
          (e.found.empty() ? "" : ": " + names_text(e.found, names)) + "\n" + visits_text(e);
 }
 
@@ -263,7 +271,8 @@ std::string to_text(const QueryExplanation<D>& e, const GivenNames& names) {
 
 template <int D>
 std::string summary(const QueryExplanation<D>& e) {
-  const std::string kind = std::string(kQueryKindNames[e.query.index()]) + ": ";
+  const std::string kind =
+      (is_point<D>(e.query) ? "point" : std::string(kQueryKindNames[e.query.index()])) + ": ";
   if (e.status != QueryStatus::ok) return kind + std::string(to_string(e.status));
   return kind + std::to_string(e.found.size()) + words_of<D>(e.query).all +
          std::to_string(e.visits.size() - e.pruned()) + " of " + counted(e.visits.size(), "node") +

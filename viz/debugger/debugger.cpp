@@ -33,10 +33,13 @@ Selection thing_at(const SceneView& view, double x, double y, bool node_wanted) 
 void say_what_is_under_mouse(PanelContext& context, const Selection& thing, Run& run) {
   if (is_nothing(thing)) return;
   context.memory.under_mouse = thing_words(run, thing);
+  constexpr float kAround = 6;  // the scene's window has none
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kAround, kAround});
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(context.memory.under_mouse.c_str());
   context.gui.note_last_item("under the mouse");
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace

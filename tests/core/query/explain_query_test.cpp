@@ -116,6 +116,16 @@ TYPED_TEST(ExplainQuery, SaysWhyANodeIsPruned) {
   EXPECT_THAT(text_of("box 1,1" + third + ",0,0" + third), HasSubstr("cannot be asked"));
 }
 
+TYPED_TEST(ExplainQuery, SaysOfAPointInWhichBoxesItLies) {
+  constexpr int kD = TypeParam::value;
+  Cursor<kD> cursor(this->recording_);
+  cursor.go_to_step(40);
+  const auto answer = explain_query(cursor.state().tree, cursor.state().latest,
+                                    parse_query<kD>(kD == 2 ? "sphere 1e6,0,0" : "sphere 1e6,0,0,0"));
+  EXPECT_THAT(to_text(answer, {}), HasSubstr(" lies in 0 of " + std::to_string(answer.objects) + " boxes"));
+  EXPECT_THAT(summary(answer), HasSubstr("point: 0 found"));
+}
+
 TEST(ParseQuery, ReadsEachKind) {
   EXPECT_EQ(to_text(parse_query<2>("ray 0,1.5, 1,-2")), "the ray from (0, 1.5) along (1, -2)");
   EXPECT_EQ(to_text(parse_query<3>(" box 0,0,0,1,2,3 ")), "the box from (0, 0, 0) to (1, 2, 3)");

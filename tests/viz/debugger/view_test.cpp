@@ -220,6 +220,20 @@ TYPED_TEST(DebuggerPick, ALeafWhereThereIsNoLine) {
   EXPECT_EQ(beside, std::nullopt);
 }
 
+/// Its node is gone once it has acted, and so was the mark of it.
+TEST(DebuggerMarks, ASwapIsSeenWhereItsNodeWas) {
+  test::TimelineDriver driver;
+  EXPECT_EQ(driver.play("click condition\ntype \"op==swap && kind==acted\"\nkey Enter\nkey F5\nwait 2\n"
+                        "expect message ~ \"stopped at\""),
+            "");
+  Run& run = driver.debugger().model().run();
+  ASSERT_TRUE(run.event() && run.event_node());
+  ASSERT_FALSE(run.tree().is_alive(*run.event_node()));
+  const std::string label =
+      "e" + std::to_string(run.event()->id) + "  n" + std::to_string(run.event_node()->value);
+  EXPECT_EQ(driver.play("expect labels ~ \"" + label + "\""), "");
+}
+
 TEST(DebuggerVisibility, IsolatedAndHiddenNodesDecideWhatIsSeen) {
   const test::TemporaryRecording file;
   test::record_crowd<2>(file.path(), 60, test::busy_config());

@@ -12,10 +12,11 @@ TEST(Wrap, NumbersStayWhole) {
 }
 
 TEST(Wrap, LinesAndIndentsAreKept) {
-  EXPECT_EQ(wrap_at_spaces("one\n\n  two three\n", 8), "one\n\n  two\nthree\n");
+  EXPECT_EQ(wrap_at_spaces("one\n\n  two three\n", 8), "one\n\n  two\n  three\n");
   EXPECT_EQ(wrap_at_spaces("", 8), "");
   EXPECT_EQ(wrap_at_spaces("ab   cd", 3), "ab \ncd");
-  EXPECT_EQ(wrap_at_spaces("  abcdef", 4), "  ab\ncdef");
+  EXPECT_EQ(wrap_at_spaces("  abcdef", 5), "  abc\n  def");
+  EXPECT_EQ(wrap_at_spaces("  abcdef", 4), "  ab\ncdef") << "an indent leaves room for more than itself";
   EXPECT_EQ(wrap_at_spaces("abc", 0), "a\nb\nc");
 }
 

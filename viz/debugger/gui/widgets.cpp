@@ -10,6 +10,8 @@
 
 namespace kerf::widgets {
 
+constexpr std::size_t kHintColumns = 70;
+
 void hint(const char* text) {
   constexpr float kPatience = 0.6F;  // seconds
   if (*text != '\0' && ImGui::IsItemHovered() && ImGui::GetCurrentContext()->HoveredIdTimer > kPatience)
@@ -49,8 +51,10 @@ void go_on_typing() {
 }
 
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
+  const bool is_cut = ImGui::CalcTextSize(label.c_str()).x > ImGui::GetContentRegionAvail().x;
   const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
   gui.name_last_item(name, label);
+  if (is_cut) hint(wrap_at_spaces(label, kHintColumns).c_str());
   return pressed;
 }
 

@@ -18,7 +18,7 @@ bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "", c
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
 /// After a field: when the keys come to it, letters follow its text instead of replacing it.
 void go_on_typing();
-/// A row of a list that can be chosen.
+/// A row of a list that can be chosen; if it is cut, a hint has all of it.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
 /// Places the next item beside the last one if there is room for so much, else below it.
 void beside_or_below(float width);

@@ -1,6 +1,7 @@
 #include "viz/debugger/gui/wrap.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -13,9 +14,13 @@ std::size_t end_of_line(std::string_view line, std::size_t columns) {
 }
 
 void wrap_line(std::string_view line, std::size_t columns, std::string& out) {
-  while (line.size() > columns) {
-    const std::size_t end = end_of_line(line, columns);
-    out += std::string(line.substr(0, end)) + "\n";
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  const std::string indent(2 * begin < columns ? begin : 0, ' ');
+  bool is_first = true;
+  while (line.size() + (is_first ? 0 : indent.size()) > columns) {
+    const std::size_t room = columns - (std::exchange(is_first, false) ? 0 : indent.size());
+    const std::size_t end = end_of_line(line, room);
+    out += std::string(line.substr(0, end)) + "\n" + indent;
     line.remove_prefix(end);
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
   }

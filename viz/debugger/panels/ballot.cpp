@@ -31,6 +31,18 @@ std::string two_digits(double x) {
   return text;
 }
 
+/// Below the row that it is about, which it would hide, and within the window.
+void draw_hint_below_row(const CandidateRow& candidate) {
+  const std::string text =
+      candidate.plane + "\n" + result_text(candidate.entry) + "\n" +
+      (candidate.entry.exact ? "judged on all its objects" : "judged on a sample of its objects");
+  const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().WindowPadding.x;
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos(
+      {std::min(io.MousePos.x + 16, io.DisplaySize.x - width), ImGui::GetItemRectMax().y + 2});
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
 /// True if the mouse is over the row.
 bool draw_candidate_row(PanelContext& context, std::size_t k, const CandidateRow& candidate) {
   const Quality& q = candidate.entry.quality;
@@ -44,10 +56,7 @@ bool draw_candidate_row(PanelContext& context, std::size_t k, const CandidateRow
   context.gui.name_last_item(name);
   const bool hovered = ImGui::IsItemHovered();
   if (pressed) context.memory.kept_candidate = k;
-  if (hovered)
-    ImGui::SetTooltip(
-        "%s\n%s\n%s", candidate.plane.c_str(), result_text(candidate.entry).c_str(),
-        candidate.entry.exact ? "judged on all its objects" : "judged on a sample of its objects");
+  if (hovered) draw_hint_below_row(candidate);
   cell(candidate.plane);
   cell(std::to_string(q.left) + "|" + std::to_string(q.right));
   cell(two_digits(double{balance(q)}));

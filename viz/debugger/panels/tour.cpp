@@ -87,6 +87,22 @@ void show_panel_of(PanelContext& context, const TourStop& stop) {
   }
 }
 
+/// Over the scene; where that is shown, beside it if there is room.
+void place_card(const PanelArea& view, bool shows_scene) {
+  constexpr float kWidth = 460;
+  constexpr float kLeastWidth = 300;
+  constexpr float kAround = 8;
+  const float right = view.x + view.width;
+  const float beside = ImGui::GetIO().DisplaySize.x - right - 2 * kAround;
+  if (shows_scene && beside >= kLeastWidth) {
+    ImGui::SetNextWindowPos({right + kAround, view.y + kAround});
+    ImGui::SetNextWindowSize({std::min(kWidth, beside), 0});
+    return;
+  }
+  ImGui::SetNextWindowPos({view.x + 0.5F * view.width, view.y + kAround}, ImGuiCond_Always, {0.5F, 0});
+  ImGui::SetNextWindowSize({std::min(kWidth, view.width - 2 * kAround), 0});
+}
+
 void draw_buttons(PanelContext& context) {
   std::optional<std::size_t>& tour = context.memory.tour;
   const bool is_last = *tour + 1 == kStops.size();
@@ -121,8 +137,7 @@ void draw_tour(PanelContext& context) {
   frame_panel(context, stop.panel);
   const auto view = context.gui.find("view");
   if (!view) return;
-  ImGui::SetNextWindowPos({view->x + 0.5F * view->width, view->y + 8}, ImGuiCond_Always, {0.5F, 0});
-  ImGui::SetNextWindowSize({std::min(460.0F, view->width - 16), 0});
+  place_card(*view, *memory.tour == 0);
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
   const std::string title = std::to_string(*memory.tour + 1) + " of " + std::to_string(kStops.size()) + ": " +

@@ -1,3 +1,5 @@
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 
@@ -55,6 +57,7 @@ void draw_structure_choice(PanelContext& context) {
 void draw_tint(PanelContext& context) {
   ViewSettings& settings = context.model.view;
   widgets::beside_or_below(text_width("colour") + ImGui::GetStyle().ItemSpacing.x + kTintChoice);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("colour");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(kTintChoice);
@@ -94,14 +97,25 @@ std::string not_alone_text(const ViewSettings& settings) {
   return "alone: " + node_text(*settings.isolated) + " is not alive here, so all is shown";
 }
 
-std::string counts_text(const ShownCounts& counts) {
-  const auto share = [](std::size_t shown, std::size_t all, const char* of) {
-    return std::to_string(shown) + " of " + std::to_string(all) + of;
+/// How many of each kind are drawn. Without room for all of it: of what is left out, else of the objects.
+std::string counts_text(const ShownCounts& counts, float width) {
+  std::string all;
+  std::string left_out;
+  const auto add = [](std::string& text, const std::string& share) {
+    text += (text.empty() ? "" : ", ") + share;
   };
-  const std::string planes =
-      counts.theirs ? "" : share(counts.partitioners, counts.all_partitioners, " partitioners, ");
-  return share(counts.objects, counts.all_objects, " objects, ") + planes +
-         share(counts.pairs, counts.all_pairs, " pairs") + counts.pairs_note + " drawn";
+  const auto tell = [&](std::size_t shown, std::size_t there, const std::string& of) {
+    const std::string share = std::to_string(shown) + " of " + std::to_string(there) + of;
+    add(all, share);
+    if (shown != there) add(left_out, share);
+  };
+  tell(counts.objects, counts.all_objects, " objects");
+  const std::string objects = all;
+  if (!counts.theirs) tell(counts.partitioners, counts.all_partitioners, " partitioners");
+  tell(counts.pairs, counts.all_pairs, " pairs" + counts.pairs_note);
+  all += " drawn";
+  if (text_width(all.c_str()) <= width) return all;
+  return widgets::elided((left_out.empty() ? objects : left_out) + " drawn", width);
 }
 
 void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color color) {
@@ -112,12 +126,28 @@ void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color co
 }
 
 /// Above its subject, but within the view.
-ImVec2 label_place(const SceneLabel& label, const PanelArea& area, double scale) {
+ImVec2 label_place(const SceneLabel& label, const ImVec2& size, const PanelArea& area, double scale) {
   const float x = label.x / static_cast<float>(scale);
   const float y = label.y / static_cast<float>(scale);
-  const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
   return {area.x + std::clamp(x + 4, 4.0F, area.width - size.x - 6),
           area.y + std::clamp(y - 16, 4.0F, area.height - size.y - 4)};
+}
+
+/// Each where it belongs, or below those that it would cover.
+void draw_scene_labels(ImDrawList& list, const std::vector<SceneLabel>& labels, const PanelArea& area,
+                       double scale) {
+  const float row = ImGui::GetTextLineHeight() + kBetweenLines;
+  std::vector<ImRect> taken;
+  for (const SceneLabel& label : labels) {
+    const std::string text = widgets::elided(label.text, area.width - 16);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImVec2 at = label_place(label, size, area, scale);
+    const auto place = [&] { return ImRect(at.x - 3, at.y - 1, at.x + size.x + 3, at.y + size.y + 1); };
+    const auto covers = [&](const ImRect& other) { return place().Overlaps(other); };
+    for (std::size_t k = 0; k < labels.size() && std::ranges::any_of(taken, covers); ++k) at.y += row;
+    taken.push_back(place());
+    draw_text_on(list, at, text, palette::kOperator);
+  }
 }
 
 /// How many errors of another engine are drawn, below the title.
@@ -153,6 +183,7 @@ void draw_view_tools(PanelContext& context) {
   if (widgets::button(context.gui, "legend", "what is seen, in words, and what colours mean (G)"))
     context.memory.welcome = !context.memory.welcome;
   widgets::beside_or_below(text_width("depth") + ImGui::GetStyle().ItemSpacing.x + kDepths);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("depth");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(kDepths);
@@ -175,10 +206,8 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
   const ShownCounts& counts = view.counts();
   const bool all = counts.objects == counts.all_objects && counts.partitioners == counts.all_partitioners &&
                    counts.pairs == counts.all_pairs;
-  std::string drawn = counts_text(counts);
-  if (ImGui::CalcTextSize(drawn.c_str()).x > area.width - 16)
-    drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
-  draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
+  draw_text_on(list, {area.x + 8, bottom - line}, counts_text(counts, area.width - 16),
+               all ? palette::kFaintInk : palette::kCandidate);
   float top = area.y + kAboveTitle;
   for (const std::string& text :
        {title, counts.theirs ? their_text(counts) : "",
@@ -201,8 +230,7 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     if (text_width(scale.c_str()) > area.width - 82) scale.erase(0, scale.find(':') + 2);  // its numbers
     draw_text_on(list, {area.x + 74, above}, scale, palette::kFaintInk);
   }
-  for (const SceneLabel& label : view.labels())
-    draw_text_on(list, label_place(label, area, context.gui.scale()), label.text, palette::kOperator);
+  draw_scene_labels(list, view.labels(), area, context.gui.scale());
   list.PopClipRect();
 }
 

@@ -32,7 +32,8 @@ constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr std::size_t kMostPairsInBrief = 1'500;
 constexpr double kCellAlpha = 0.5;
-constexpr double kTriad = 26;  // pixels of an axis
+constexpr double kTriad = 26;    // pixels of an axis
+constexpr double kNarrow = 540;  // in a narrower view text reaches the axes, which then stand above it
 
 }  // namespace
 
@@ -173,7 +174,8 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
   } else {
     draw_space(frame, leaf_colors(visible_, tints_, seen_->tint_end), {back, glass, shadows_});
-    draw_triad(frame.view, painter_.font(), {0, 0, double(width_), double(height_)}, Corner::right,
+    const double below = width_ < kNarrow * look.scale ? look.below : 0;
+    draw_triad(frame.view, painter_.font(), {0, 0, double(width_), height_ - below}, Corner::right,
                kTriad * line_scale, triad_);
   }
   draw_pairs(frame, lines);
@@ -248,21 +250,16 @@ void SceneViewOf<D>::draw_recent(const DrawContext<D>& frame, Batch& batch) {
   }
 }
 
-/// Marks the place of the event that has just happened.
+/// Marks the place of the event that has just happened. A swap has removed its node.
 template <int D>
 void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
   const auto event = run_.event();
   const auto node = run_.event_node();
   if (!event) return draw_recent(frame, batch);
-  if (!node || !snapshot_.is_alive(*node)) return;
-  const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
-  Eigen::Vector3d top = to_point(box_.min);
-  for (const Polygon& face : cell_faces(snapshot_, *node, frame.space_of(*node))) {
-    add_outline(batch, frame.view, face, stroke);
-    for (const Eigen::Vector3d& corner : face)
-      if (corner.y() > top.y()) top = corner;
-  }
-  add_label(top, "e" + std::to_string(event->id) + "  n" + std::to_string(node->value));
+  if (!node) return;
+  const auto top = snapshot_.is_alive(*node) ? mark_acted(frame, *node, batch)
+                                             : mark_removed(frame, run_.tree_before(event->id), *node, batch);
+  if (top) add_label(*top, "e" + std::to_string(event->id) + "  n" + std::to_string(node->value));
 }
 
 template <int D>
@@ -304,7 +301,9 @@ void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch
   const auto box = box_of(id);
   if (!box) return;
   outline_box(frame, *box, {palette::kOperator, 2 * frame.line_scale}, batch);
-  add_label(to_point(box->max), run_.info().names.object(id));
+  const ObjectMark* const mark = run_.info().marks.find(id);
+  const bool is_called = mark != nullptr && !mark->label.empty();
+  add_label(to_point(box->max), is_called ? mark->label : run_.info().names.object(id));
 }
 
 template <int D>
