@@ -42,7 +42,7 @@ TEST(Advice, NamesTheFastestAndByHowMuch) {
   ASSERT_EQ(advice.sentences.size(), 2U);
   EXPECT_EQ(advice.sentences[0],
             "kerf: 1.32 times as fast as columns (1.30 to 1.40 in the rounds), 0.100 ms a step instead of "
-            "0.130.");
+            "0.132.");
   EXPECT_THAT(advice.sentences[1], HasSubstr("10.0 times as fast as bullet-dbvt, the fastest library"));
 }
 

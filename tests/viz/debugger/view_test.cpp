@@ -226,7 +226,7 @@ TEST(DebuggerMarks, ASwapIsSeenWhereItsNodeWas) {
   EXPECT_EQ(driver.play("click condition\ntype \"op==swap && kind==acted\"\nkey Enter\nkey F5\nwait 2\n"
                         "expect message ~ \"stopped at\""),
             "");
-  Run& run = driver.debugger().model().run();
+  kerf::Run& run = driver.debugger().model().run();
   ASSERT_TRUE(run.event() && run.event_node());
   ASSERT_FALSE(run.tree().is_alive(*run.event_node()));
   const std::string label =
