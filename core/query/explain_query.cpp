@@ -170,8 +170,9 @@ std::string ray_text(const QueryExplanation<D>& e, const GivenNames& names) {
 
 template <int D>
 bool is_point(const AskedQuery<D>& query) {
-  const auto* const sphere = std::get_if<Sphere<D>>(&query);
-  return sphere != nullptr && sphere->radius == 0;
+  return std::visit(Overloaded{[](const Sphere<D>& sphere) { return sphere.radius == 0; },
+                               [](const auto&) { return false; }},
+                    query);
 }
 
 template <int D>
