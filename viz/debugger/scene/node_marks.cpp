@@ -19,6 +19,15 @@ std::optional<Eigen::Vector3d> outline_place(const DrawContext<D>& frame, const 
   return top;
 }
 
+/// Where what was below a removed node is drawn; everywhere if that is gone, too.
+template <int D>
+Box<D> space_of_children(const DrawContext<D>& frame, const TreeSnapshotOf<D>& before, NodeId id) {
+  Box<D> space = Box<D>::empty();
+  for (const NodeId child : {before[id].left, before[id].right})
+    if (frame.snapshot.is_alive(child)) space = join(space, frame.space_of(child));
+  return is_valid(space) ? space : frame.bounds;
+}
+
 }  // namespace
 
 template <int D>
@@ -41,10 +50,11 @@ std::optional<Eigen::Vector3d> mark_removed(const DrawContext<D>& frame, const T
                                             NodeId id, Batch& batch) {
   if (!before.is_alive(id)) return std::nullopt;
   const double scale = frame.line_scale;
+  const Box<D> space = space_of_children(frame, before, id);
   if (!before[id].is_leaf())
-    add_outline(batch, frame.view, partitioner_in_cell(before, id, frame.bounds),
+    add_outline(batch, frame.view, partitioner_in_cell(before, id, space),
                 {palette::kOperator, 2 * scale, 7 * scale, 5 * scale});
-  return outline_place(frame, before, id, frame.bounds, batch);
+  return outline_place(frame, before, id, space, batch);
 }
 
 template <int D>
