@@ -37,7 +37,8 @@ TEST_P(RenderProgram, MakesTheFramesThatTheManifestNames) {
   const TemporaryFolder folder;
   const RunOutcome outcome = run_kerf(small_render(GetParam(), folder.path() / "a" / "b"));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  EXPECT_EQ(outcome.out + outcome.err, "") << "a pipe is not a terminal";
+  EXPECT_EQ(outcome.err, "") << "a pipe is not a terminal";
+  EXPECT_EQ(outcome.out, (folder.path() / "a" / "b").string() + ": 5 frames\n");
   const nlohmann::json manifest = read_json(folder.path() / "a" / "b" / "frames.json");
   EXPECT_EQ(manifest["scene"], GetParam());
   EXPECT_EQ(manifest["complete"], true);
