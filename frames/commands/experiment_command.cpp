@@ -29,8 +29,8 @@ constexpr const char* kRelatedName = "related.html";
 constexpr ExperimentPlan kFullPlan{.size = {.steps = 6000, .objects = 4250}, .seeds = 3, .repeats = 5};
 
 /// Draws the figures and writes the pages. All files are there before one of them gets its name.
-void report(const ExperimentPlan& plan, const ExperimentMaker& maker, const std::filesystem::path& folder,
-            Replace replace) {
+void report_runs(const ExperimentPlan& plan, const ExperimentMaker& maker,
+                 const std::filesystem::path& folder, Replace replace) {
   ExperimentRuns runs;
   maker.for_each([&](const RunId& run, ExperimentRun steps) {
     runs[run.simulation].push_back({run.size.seed, run.repeat, std::move(steps)});
@@ -156,7 +156,7 @@ void ExperimentCommand::run() const {
   }
   ExperimentMaker maker(folder, plan, Shard{}, outputs.replace());
   make_runs(maker);
-  (related_ ? report_related : report)(plan, maker, folder, outputs.replace());
+  (related_ ? report_related : report_runs)(plan, maker, folder, outputs.replace());
   std::printf("%s\n", (folder / page).string().c_str());
 }
 

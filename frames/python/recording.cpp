@@ -83,7 +83,7 @@ class RecordingOf final : public PythonRecording {
       std::vector<PythonEvent> events;
       for (std::uint32_t step = std::max(first, 1U); step <= last && !interrupts.requested(); ++step)
         std::ranges::transform(reader_->step(step).events, std::back_inserter(events),
-                               [](const Event& event) { return to_python(event); });
+                               [](const Event& event) { return python::to_python(event); });
       return events;
     });
     interrupts.rethrow();
@@ -241,7 +241,7 @@ class RecordingOf final : public PythonRecording {
     if (same == nullptr)
       throw py::value_error("other: one recording is in 2D and one in 3D, so there is nothing to compare");
     if (same == this) {  // two readers, since each keeps what it read last
-      RecordingOf<D> again(path_);
+      RecordingOf<D> again(path_, is_part_);
       return compare(again);
     }
     const UseOnce use(same->in_use_);

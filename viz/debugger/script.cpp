@@ -1,12 +1,11 @@
 #include "viz/debugger/script.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "core/base/number_text.h"
-#include "viz/debugger/gui/gui.h"
+#include "viz/debugger/script_keys.h"
 #include "viz/image/png.h"
 
 namespace kerf {
