@@ -5,12 +5,10 @@
 
 namespace kerf::tuning {
 
-// The numbers that are no parameters of `Config`, each beside what it was measured on.
-// (Those of the sweep by bytes are in core/kernels/sweep_tuning.h.)
-// This header lies at the bottom, since objects, kernels and tree use it as bsp does. "ns" are nanoseconds an
-// object and step; docs/notes and docs/SPEED.md have the tables. None of these numbers decides which pairs
-// are reported: a bad one costs time. Numbers that a format or an instruction set dictates stand where they
-// are used.
+// The numbers that are no parameters of `Config`, each beside what it was measured on; those of the sweep by
+// bytes are in core/kernels/sweep_tuning.h. This header lies at the bottom, since objects, kernels and tree
+// use it as bsp does. "ns" are nanoseconds an object and step; docs/notes and docs/SPEED.md have the tables.
+// None of these numbers decides which pairs are reported: a bad one costs time.
 
 // Skins: how thick, and for how long.
 
@@ -68,11 +66,8 @@ inline constexpr float kLeastWay = 0.9F;
 /// the way is so many times as long. A way that long is a shift; a shorter one may be a flow past others.
 inline constexpr float kAlike = 1.0F / 8;
 inline constexpr float kWayOfShift = 8;
-/// Lists of kept pairs have gaps that rounding may close in so many shifts, if these are less than a part of
-/// the boxes' size; if few shifts would do, they have none (ShiftPass).
+/// Kept pairs are good for so many shifts, or as many as half of the thickest skin allows (ShiftPass).
 inline constexpr float kShiftsOfSlack = 32;
-inline constexpr float kLeastShiftsOfSlack = 2;
-inline constexpr float kSlacksPerSize = 16;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.
 inline constexpr float kHotShare = 0.03F;
 /// The same while skins learn how thick they must be, for the first `kLearningSteps`.

@@ -7,6 +7,7 @@
 #include "core/base/list_room.h"
 #include "core/base/tuning.h"
 #include "core/bsp/view_leaf.h"
+#include "core/kernels/filter_candidates.h"
 #include "core/kernels/prefetch.h"
 
 namespace kerf {
@@ -263,7 +264,7 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
   if (objects.far) ask_for_boxes(leaf, objects.latest);
   filter_candidates<D>(leaf, objects.latest.packed(), scratch.gathered, pairs);
   if (leaf.restless.empty()) return;
-  renew_bytes(leaf, objects.fat.packed());
+  renew_bytes<D>(leaf, objects.fat.packed(), scratch.gathered);
   view_restless(leaf, objects.latest, scratch.view);
   append_entries(scratch.view, leaf);
   probe_last(leaf, scratch.view, objects.latest.packed(), Names::objects, scratch.byte_sweep.found, pairs);
@@ -306,7 +307,7 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   drop_going(changes, objects.fat.bound(), scratch);
   view_coming(changes, objects.fat, slack_, leaf, scratch.view);
   if (scratch.view.size() == 0) return;
-  renew_bytes(leaf, objects.fat.packed());
+  renew_bytes<D>(leaf, objects.fat.packed(), scratch.gathered);
   append_entries(scratch.view, leaf);
   scratch.pairs.clear();
   probe_last(leaf, scratch.view, objects.fat.packed(), leaf.names, scratch.byte_sweep.found, scratch.pairs);

@@ -113,9 +113,9 @@ Scalar ShiftPass<D>::drift() const {
 
 template <int D>
 Scalar ShiftPass<D>::slack() const {
-  const Scalar slack =
-      std::min(tuning::kShiftsOfSlack * 2 * spacing(reach_after_), size_ / tuning::kSlacksPerSize);
-  return slack > tuning::kLeastShiftsOfSlack * 2 * spacing(reach_after_) ? slack : 0;
+  const Scalar of_a_shift = 2 * spacing(reach_after_);
+  const Scalar slack = std::min(tuning::kShiftsOfSlack * of_a_shift, size_ * Skin::kMost / 2);
+  return slack > 2 * of_a_shift ? slack : 0;
 }
 
 /// Computes where the partitioners go, and how large coordinates and boxes are. Returns false if a number is

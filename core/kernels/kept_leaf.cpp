@@ -5,7 +5,6 @@
 
 #include "core/base/list_room.h"
 #include "core/base/tuning.h"
-#include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/kept_leaf.cpp"
@@ -27,21 +26,11 @@ HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, ByteKey<D> key) 
   for (std::size_t k = 0; k < 2 * D; ++k) leaf.plane(k)[place] = byte_of<D>(key, k);
 }
 
+/// Makes the bytes of the entries from a place on.
 template <int D>
-HWY_INLINE void append(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+HWY_INLINE void store_keys(std::span<const PackedBox<D>> boxes, std::size_t from, KeptLeaf<D>& leaf) {
   const ByteMap<D> map(leaf.bytes);
-  for (std::size_t i = 0; i < view.size(); ++i)
-    store_key(leaf, leaf.objects.size() + i, byte_key<D>(map(view.boxes[i])));
-}
-
-template <int D>
-HWY_INLINE void renew(KeptLeaf<D>& leaf, const PackedBox<D>* boxes) {
-  const ByteMap<D> map(leaf.bytes);
-  const std::size_t n = leaf.objects.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    prefetch(boxes + leaf.objects[std::min(k + tuning::kPrefetchAhead, n - 1)]);
-    store_key(leaf, k, byte_key<D>(map(boxes[leaf.objects[k]])));
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) store_key(leaf, from + i, byte_key<D>(map(boxes[i])));
 }
 
 template <int D>
@@ -149,69 +138,14 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
   return find_number(objects.data(), 0, objects.size(), std::array{object});
 }
 
-/// Writes those of the candidates whose boxes, given by their names, overlap. Four in each turn of the loop:
-/// then its place in memory matters least. No branch depends on the outcome.
-template <int D>
-HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
-                                 const PackedBox<D>* boxes) {
-  std::size_t written = 0;
-  const auto keep_if_true = [&](const Pair& pair) HWY_ATTR {
-    const bool overlap = boxes_overlap<D>(boxes[pair.a.index()], boxes[pair.b.index()]);
-    out[written] = pair;
-    written += static_cast<std::size_t>(overlap);
-  };
-  std::size_t k = 0;
-  for (; k + 4 <= candidates.size(); k += 4) {
-    const Pair* const four = candidates.data() + k;
-#if KERF_HAS_FOUR_PAIRS
-    const auto apart_of = [boxes](const Pair& pair)
-                              HWY_ATTR { return apart<D>(boxes[pair.a.index()], boxes[pair.b.index()]); };
-    const Packed<D> lanes[4] = {apart_of(four[0]), apart_of(four[1]), apart_of(four[2]), apart_of(four[3])};
-    written += write_chosen(load_pairs(four), nowhere_of_four<D>(lanes), out + written);
-#else
-    keep_if_true(four[0]);
-    keep_if_true(four[1]);
-    keep_if_true(four[2]);
-    keep_if_true(four[3]);
-#endif
-  }
-  for (; k < candidates.size(); ++k) keep_if_true(candidates[k]);
-  return written;
-}
-
-template <int D>
-HWY_INLINE const PackedBox<D>* gather(const std::vector<std::uint32_t>& objects, const PackedBox<D>* boxes,
-                                      std::vector<PackedBox<D>>& gathered) {
-  const std::size_t n = objects.size();
-  gathered.resize(std::max(gathered.size(), n));
-  for (std::size_t k = 0; k < n; ++k) {
-    prefetch(boxes + objects[std::min(k + tuning::kPrefetchAhead, n - 1)]);
-    gathered[k] = boxes[objects[k]];
-  }
-  return gathered.data();
-}
-
-template <int D>
-HWY_INLINE void filter(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
-                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs) {
-  if (leaf.candidates.empty()) return;
-  Pair* const out = pairs.reserve(leaf.candidates.size());
-  if (leaf.names == Names::objects) {
-    pairs.commit(filter_to(out, leaf.candidates, boxes));
-  } else {
-    const std::size_t written = filter_to(out, leaf.candidates, gather(leaf.objects, boxes, gathered));
-    for (std::size_t k = 0; k < written; ++k)
-      out[k] = {{leaf.objects[out[k].a.index()]}, {leaf.objects[out[k].b.index()]}};
-    pairs.commit(written);
-  }
-}
-
 ByteScale<2> scale_2(const LeafView<2>& view) { return make_byte_scale(view); }
 ByteScale<3> scale_3(const LeafView<3>& view) { return make_byte_scale(view); }
-void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
-void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
-void renew_2(KeptLeaf<2>& leaf, const PackedBox<2>* boxes) { renew(leaf, boxes); }
-void renew_3(KeptLeaf<3>& leaf, const PackedBox<3>* boxes) { renew(leaf, boxes); }
+void store_2(std::span<const PackedBox<2>> boxes, std::size_t from, KeptLeaf<2>& leaf) {
+  store_keys(boxes, from, leaf);
+}
+void store_3(std::span<const PackedBox<3>> boxes, std::size_t from, KeptLeaf<3>& leaf) {
+  store_keys(boxes, from, leaf);
+}
 template <int D>
 HWY_INLINE void probe(KeptLeaf<D>& leaf, const LeafView<D>& last, const PackedBox<D>* boxes, Names names,
                       Findings& found, PairBuffer& pairs) {
@@ -225,14 +159,6 @@ void probe_2(KeptLeaf<2>& leaf, const LeafView<2>& last, const PackedBox<2>* box
 void probe_3(KeptLeaf<3>& leaf, const LeafView<3>& last, const PackedBox<3>* boxes, Names names,
              Findings& found, PairBuffer& pairs) {
   probe(leaf, last, boxes, names, found, pairs);
-}
-void filter_2(const KeptLeaf<2>& leaf, const PackedBox<2>* boxes, std::vector<PackedBox<2>>& gathered,
-              PairBuffer& pairs) {
-  filter(leaf, boxes, gathered, pairs);
-}
-void filter_3(const KeptLeaf<3>& leaf, const PackedBox<3>* boxes, std::vector<PackedBox<3>>& gathered,
-              PairBuffer& pairs) {
-  filter(leaf, boxes, gathered, pairs);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
@@ -249,14 +175,10 @@ HWY_EXPORT(rename);
 HWY_EXPORT(find_object);
 HWY_EXPORT(scale_2);
 HWY_EXPORT(scale_3);
-HWY_EXPORT(append_2);
-HWY_EXPORT(append_3);
-HWY_EXPORT(renew_2);
-HWY_EXPORT(renew_3);
+HWY_EXPORT(store_2);
+HWY_EXPORT(store_3);
 HWY_EXPORT(probe_2);
 HWY_EXPORT(probe_3);
-HWY_EXPORT(filter_2);
-HWY_EXPORT(filter_3);
 
 /// Makes the planes long enough for `n` entries and a whole vector behind them.
 template <int D>
@@ -280,6 +202,15 @@ void drop_pairs_if(std::vector<Pair>& pairs, Goes goes) {
     written += goes(pair) == 0 ? 1 : 0;
   }
   pairs.resize(written);
+}
+
+template <int D>
+void store(std::span<const PackedBox<D>> boxes, std::size_t from, KeptLeaf<D>& leaf) {
+  if constexpr (D == 2) {
+    HWY_DYNAMIC_DISPATCH(store_2)(boxes, from, leaf);
+  } else {
+    HWY_DYNAMIC_DISPATCH(store_3)(boxes, from, leaf);
+  }
 }
 
 template <int D>
@@ -310,11 +241,7 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   make_room(leaf, leaf.objects.size() + view.size());
-  if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(append_2)(view, leaf);
-  } else {
-    HWY_DYNAMIC_DISPATCH(append_3)(view, leaf);
-  }
+  store<D>(view.boxes, leaf.objects.size(), leaf);
   if (leaf.objects.empty()) {  // most leaves get no more
     leaf.objects.reserve(view.size());
     leaf.apart.reserve(view.size());
@@ -326,14 +253,13 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 }
 
 template <int D>
-void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes) {
+void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
+                 std::vector<PackedBox<D>>& gathered) {
   if (!leaf.outdated) return;
   leaf.outdated = false;
-  if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(renew_2)(leaf, boxes.data());
-  } else {
-    HWY_DYNAMIC_DISPATCH(renew_3)(leaf, boxes.data());
-  }
+  gathered.clear();
+  for (const std::uint32_t object : leaf.objects) gathered.push_back(boxes[object]);
+  store<D>(gathered, 0, leaf);
 }
 
 template <int D>
@@ -391,27 +317,15 @@ void probe_last(KeptLeaf<D>& leaf, const LeafView<D>& last, std::span<const Pack
   }
 }
 
-template <int D>
-void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
-                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs) {
-  if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(filter_2)(leaf, boxes.data(), gathered, pairs);
-  } else {
-    HWY_DYNAMIC_DISPATCH(filter_3)(leaf, boxes.data(), gathered, pairs);
-  }
-}
-
-#define KERF_INSTANTIATE(D)                                                                           \
-  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                      \
-  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                  \
-  template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                        \
-  template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                          \
-  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                              \
-  template void renew_bytes<D>(KeptLeaf<D>&, std::span<const PackedBox<D>>);                          \
-  template void probe_last<D>(KeptLeaf<D>&, const LeafView<D>&, std::span<const PackedBox<D>>, Names, \
-                              Findings&, PairBuffer&);                                                \
-  template void filter_candidates<D>(const KeptLeaf<D>&, std::span<const PackedBox<D>>,               \
-                                     std::vector<PackedBox<D>>&, PairBuffer&);
+#define KERF_INSTANTIATE(D)                                                                              \
+  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
+  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                     \
+  template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                           \
+  template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                             \
+  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                                 \
+  template void renew_bytes<D>(KeptLeaf<D>&, std::span<const PackedBox<D>>, std::vector<PackedBox<D>>&); \
+  template void probe_last<D>(KeptLeaf<D>&, const LeafView<D>&, std::span<const PackedBox<D>>, Names,    \
+                              Findings&, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

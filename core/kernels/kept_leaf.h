@@ -54,9 +54,10 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Makes the bytes of all entries anew if they are outdated. `boxes` is by object.
+/// Makes the bytes of all entries anew if they are outdated. `boxes` is by object; `gathered` is room for
+/// those of the leaf.
 template <int D>
-void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes);
+void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes, std::vector<PackedBox<D>>& gathered);
 /// Removes the entries of a few objects, as far as there are any, and their pairs; the last entries take
 /// their places.
 template <int D>
@@ -73,10 +74,5 @@ void drop_last(KeptLeaf<D>& leaf, std::size_t count);
 template <int D>
 void probe_last(KeptLeaf<D>& leaf, const LeafView<D>& last, std::span<const PackedBox<D>> boxes, Names names,
                 Findings& found, PairBuffer& pairs);
-/// Appends those of the candidates whose boxes overlap. `boxes` is by object; `gathered` is room for those of
-/// the leaf. If candidates are named by places, each box is read from the table only once.
-template <int D>
-void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
-                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs);
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 // Entries and candidates of a leaf of which pairs are kept: they come, go and are filtered alike by every
 // kernel.
 
+#include "core/kernels/filter_candidates.h"
 #include "core/kernels/kept_leaf.h"
 
 #include <gtest/gtest.h>
@@ -169,7 +170,8 @@ TYPED_TEST(KeptLeaves, WhatComesAfterAShiftFindsItsPartners) {
       const std::vector<PackedBox<kD>> boxes = by_object(there);
       leaf.bytes.origin = moved(leaf.bytes.origin, by);
       leaf.outdated = true;
-      renew_bytes<kD>(leaf, boxes);
+      std::vector<PackedBox<kD>> gathered;
+      renew_bytes<kD>(leaf, boxes, gathered);
       append_entries(part_of(there, 200, 300), leaf);
       take_candidates(leaf, part_of(there, 200, 300), boxes);
       std::vector<Pair> found = filtered(leaf, boxes);

@@ -176,7 +176,7 @@ Script<D> tiny_box_far_out(Size size) {
   return out.take();
 }
 
-constexpr std::array kCases{
+constexpr std::array kExtremes{
     HardCase{"V6", "Denormals", "coordinates below 2^-126", denormals<2>, denormals<3>},
     HardCase{"V6",
              "DenormalsFlushedToZero",
@@ -201,6 +201,6 @@ constexpr std::array kCases{
 
 }  // namespace
 
-std::span<const HardCase> extremes_cases() { return kCases; }
+std::span<const HardCase> extremes_cases() { return kExtremes; }
 
 }  // namespace kerf::test

@@ -194,7 +194,7 @@ Script<D> resizing(Size size) {
   return out.take();
 }
 
-constexpr std::array kCases{
+constexpr std::array kMotion{
     HardCase{"M1", "Teleports", "everything elsewhere at once", teleports<2>, teleports<3>},
     HardCase{"M2", "MovesBelowAnUlp", "moves lost in rounding", moves_below_an_ulp<2>, moves_below_an_ulp<3>},
     HardCase{"M3", "LastBoxCounts", "moved often in one step", last_box_counts<2>, last_box_counts<3>},
@@ -219,6 +219,6 @@ constexpr std::array kCases{
 
 }  // namespace
 
-std::span<const HardCase> motion_cases() { return kCases; }
+std::span<const HardCase> motion_cases() { return kMotion; }
 
 }  // namespace kerf::test

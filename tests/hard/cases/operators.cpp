@@ -122,7 +122,7 @@ constexpr std::string_view kUncapped =
 constexpr std::string_view kCoarse =
     "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=24,max_threshold=24";
 
-constexpr std::array kCases{
+constexpr std::array kOperators{
     HardCase{"O1", "ShiftsOntoEnds", "balance onto ends of objects", shifts_onto_ends<2>, shifts_onto_ends<3>,
              kEager, Operator::balance, true},
     HardCase{"O2", "SwapsAtTheRoot", "swap down to one leaf", swaps_at_the_root<2>, swaps_at_the_root<3>,
@@ -143,6 +143,6 @@ constexpr std::array kCases{
 
 }  // namespace
 
-std::span<const HardCase> operators_cases() { return kCases; }
+std::span<const HardCase> operators_cases() { return kOperators; }
 
 }  // namespace kerf::test

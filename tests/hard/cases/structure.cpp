@@ -198,7 +198,7 @@ template <int D>
 Script<D> overflowing_projections(Size size) {
   ScriptWriter<D> out;
   Random random(14);
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  constexpr Scalar kLargest = std::numeric_limits<Scalar>::max();
   const std::uint32_t n = pick(size, 150, 600);
   // In the corners of the range of floats: along a slanted direction most projections are infinite.
   const auto box = [&] {
@@ -207,8 +207,8 @@ Script<D> overflowing_projections(Size size) {
       const Scalar sign = random.below(2) == 0 ? 1.0F : -1.0F;
       const auto depth = static_cast<Scalar>(random.uniform(0, 0.25));
       const auto width = static_cast<Scalar>(random.uniform(0, 0.125));
-      const Scalar near = sign * kMax * (1 - depth - width);
-      const Scalar far = sign * kMax * (1 - depth);
+      const Scalar near = sign * kLargest * (1 - depth - width);
+      const Scalar far = sign * kLargest * (1 - depth);
       result.min[axis] = std::min(near, far);
       result.max[axis] = std::max(near, far);
     }
@@ -223,7 +223,7 @@ Script<D> overflowing_projections(Size size) {
   return out.take();
 }
 
-constexpr std::array kCases{
+constexpr std::array kStructure{
     HardCase{"S1", "AllCoincide", "all boxes the same", all_coincide<2>, all_coincide<3>},
     HardCase{"S2", "Nested", "each box in the next", nested_boxes<2>, nested_boxes<3>},
     HardCase{"S3", "CrossingRods", "every plane straddled", crossing_rods<2>, crossing_rods<3>},
@@ -248,6 +248,6 @@ constexpr std::array kCases{
 
 }  // namespace
 
-std::span<const HardCase> structure_cases() { return kCases; }
+std::span<const HardCase> structure_cases() { return kStructure; }
 
 }  // namespace kerf::test

@@ -155,7 +155,7 @@ Script<D> signed_zeros(Size size) {
   return out.take();
 }
 
-constexpr std::array kCases{
+constexpr std::array kValues{
     HardCase{"V1", "NotANumber", "NaN in one bound or all", not_a_number<2>, not_a_number<3>},
     HardCase{"V2", "InfiniteBounds", "unbounded planes, half spaces", infinite_bounds<2>, infinite_bounds<3>},
     HardCase{"V3", "Inverted", "min > max", inverted_boxes<2>, inverted_boxes<3>},
@@ -165,6 +165,6 @@ constexpr std::array kCases{
 
 }  // namespace
 
-std::span<const HardCase> values_cases() { return kCases; }
+std::span<const HardCase> values_cases() { return kValues; }
 
 }  // namespace kerf::test
