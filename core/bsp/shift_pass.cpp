@@ -217,8 +217,7 @@ void ShiftPass<D>::find_misplaced(const StepContext<D>& step) {
   std::vector<ObjectId> all;
   for (const Piece& piece : pieces_) all.insert(all.end(), piece.misplaced.begin(), piece.misplaced.end());
   std::ranges::sort(all);
-  const auto others = std::ranges::unique(all);
-  all.erase(others.begin(), others.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   for (const ObjectId object : all) misplaced_.push_back({object});
 }
 
