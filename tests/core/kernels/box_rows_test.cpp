@@ -57,17 +57,17 @@ class BoxRows : public testing::Test {
 TYPED_TEST_SUITE(BoxRows, Dimensions, DimensionNames);
 
 TYPED_TEST(BoxRows, AreRoundedOutward) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (std::size_t count = 0; count < 40; ++count) {
-      const std::vector<double> rows = boxes<D>(count, this->random_);
-      std::vector<Box<D>> rounded(count);
-      ASSERT_TRUE(round_boxes<D>(rows.data(), count, rounded.data())) << kernel;
+      const std::vector<double> rows = boxes<kD>(count, this->random_);
+      std::vector<Box<kD>> rounded(count);
+      ASSERT_TRUE(round_boxes<kD>(rows.data(), count, rounded.data())) << kernel;
       for (std::size_t k = 0; k < count; ++k) {
-        for (int i = 0; i < D; ++i) {
-          const double min = rows[k * 2 * D + static_cast<std::size_t>(i)];
-          const double max = rows[k * 2 * D + static_cast<std::size_t>(D + i)];
+        for (int i = 0; i < kD; ++i) {
+          const double min = rows[k * 2 * kD + static_cast<std::size_t>(i)];
+          const double max = rows[k * 2 * kD + static_cast<std::size_t>(kD + i)];
           ASSERT_EQ(rounded[k].min[i], at_most(min)) << kernel << ' ' << min;
           ASSERT_EQ(rounded[k].max[i], -at_most(-max)) << kernel << ' ' << max;
         }
@@ -77,21 +77,21 @@ TYPED_TEST(BoxRows, AreRoundedOutward) {
 }
 
 TYPED_TEST(BoxRows, ABadNumberIsFoundWhereverItIs) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (std::size_t count = 1; count < 20; ++count) {
-      const std::vector<double> good(count * 2 * D, 1.5);
+      const std::vector<double> good(count * 2 * kD, 1.5);
       for (std::size_t k = 0; k < good.size(); ++k) {
-        const double beyond = k % (2 * D) < D ? 2 : 1;  // a lower end above the upper one, or the other way
+        const double beyond = k % (2 * kD) < kD ? 2 : 1;  // a lower end above the upper one, or the other way
         for (const double bad : {beyond, Limits::quiet_NaN()}) {
           std::vector<double> rows = good;
           rows[k] = bad;
           const std::vector<float> floats(rows.begin(), rows.end());
-          std::vector<Box<D>> rounded(count);
-          ASSERT_FALSE(are_boxes<D>(floats.data(), count)) << kernel << ' ' << k << " of " << count;
-          ASSERT_FALSE(are_boxes<D>(rows.data(), count)) << kernel << ' ' << k << " of " << count;
-          ASSERT_FALSE(round_boxes<D>(rows.data(), count, rounded.data())) << kernel << ' ' << k;
+          std::vector<Box<kD>> rounded(count);
+          ASSERT_FALSE(are_boxes<kD>(floats.data(), count)) << kernel << ' ' << k << " of " << count;
+          ASSERT_FALSE(are_boxes<kD>(rows.data(), count)) << kernel << ' ' << k << " of " << count;
+          ASSERT_FALSE(round_boxes<kD>(rows.data(), count, rounded.data())) << kernel << ' ' << k;
         }
       }
     }
@@ -99,14 +99,14 @@ TYPED_TEST(BoxRows, ABadNumberIsFoundWhereverItIs) {
 }
 
 TYPED_TEST(BoxRows, AnyBoxIsOne) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (std::size_t count = 0; count < 40; ++count) {
-      const std::vector<double> rows = boxes<D>(count, this->random_);
+      const std::vector<double> rows = boxes<kD>(count, this->random_);
       const std::vector<float> floats(rows.begin(), rows.end());
-      EXPECT_TRUE(are_boxes<D>(rows.data(), count)) << kernel;
-      EXPECT_TRUE(are_boxes<D>(floats.data(), count)) << kernel;
+      EXPECT_TRUE(are_boxes<kD>(rows.data(), count)) << kernel;
+      EXPECT_TRUE(are_boxes<kD>(floats.data(), count)) << kernel;
     }
   }
 }

@@ -102,7 +102,7 @@ TYPED_TEST(SpatialIndexTest, NothingInTheBroadPhaseChanges) {
 }
 
 TYPED_TEST(SpatialIndexTest, RefusesWhatIsNoQuery) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   constexpr Scalar kNaN = std::numeric_limits<Scalar>::quiet_NaN();
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
   this->crowd_.add(20);
@@ -110,41 +110,41 @@ TYPED_TEST(SpatialIndexTest, RefusesWhatIsNoQuery) {
   std::vector<ObjectId> objects;
   std::vector<Hit> hits;
   std::vector<Neighbour> neighbours;
-  Box<D> box;
+  Box<kD> box;
   box.max[0] = kNaN;
   EXPECT_EQ(this->index_.overlaps(box, objects), QueryStatus::not_a_number);
   box.max[0] = -1;
   EXPECT_EQ(this->index_.overlaps(box, objects), QueryStatus::not_ordered);
-  EXPECT_EQ(this->index_.overlaps(Sphere<D>{{}, -1}, objects), QueryStatus::not_ordered);
-  EXPECT_EQ(this->index_.overlaps(Sphere<D>{all<D>(kInfinity), 1}, objects), QueryStatus::not_finite);
-  const Plane<D> plane{all<D>(1), kInfinity};
-  EXPECT_EQ(this->index_.overlaps(Frustum<D>{{&plane, 1}}, objects), QueryStatus::not_finite);
-  EXPECT_EQ(this->index_.hits(Ray<D>{{}, all<D>(kInfinity), 1}, hits), QueryStatus::not_finite);
-  EXPECT_EQ(this->index_.hits(Ray<D>{{}, all<D>(1), -1}, hits), QueryStatus::not_ordered);
-  EXPECT_EQ(this->index_.hits(Segment<D>{{}, all<D>(kNaN)}, hits), QueryStatus::not_a_number);
-  EXPECT_EQ(this->index_.nearest({all<D>(kNaN), 1}, neighbours), QueryStatus::not_a_number);
+  EXPECT_EQ(this->index_.overlaps(Sphere<kD>{{}, -1}, objects), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.overlaps(Sphere<kD>{all<kD>(kInfinity), 1}, objects), QueryStatus::not_finite);
+  const Plane<kD> plane{all<kD>(1), kInfinity};
+  EXPECT_EQ(this->index_.overlaps(Frustum<kD>{{&plane, 1}}, objects), QueryStatus::not_finite);
+  EXPECT_EQ(this->index_.hits(Ray<kD>{{}, all<kD>(kInfinity), 1}, hits), QueryStatus::not_finite);
+  EXPECT_EQ(this->index_.hits(Ray<kD>{{}, all<kD>(1), -1}, hits), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.hits(Segment<kD>{{}, all<kD>(kNaN)}, hits), QueryStatus::not_a_number);
+  EXPECT_EQ(this->index_.nearest({all<kD>(kNaN), 1}, neighbours), QueryStatus::not_a_number);
   EXPECT_TRUE(objects.empty() && hits.empty() && neighbours.empty());
 }
 
 TYPED_TEST(SpatialIndexTest, TinySpheresAreExactThoughDenormalsAreZero) {
-  constexpr int D = TypeParam::value;
-  Box<D> box{all<D>(-1), all<D>(1)};
+  constexpr int kD = TypeParam::value;
+  Box<kD> box{all<kD>(-1), all<kD>(1)};
   box.min[0] = 0x1p-68F;
   ASSERT_EQ(this->bsp_.insert({0}, box, Mobility::moving), Status::ok);
   this->index_.update(this->bsp_.objects());
   const FlushToZero flush(true);
   std::vector<ObjectId> found;
-  ASSERT_EQ(this->index_.overlaps(Sphere<D>{{}, 0x1p-69F}, found), QueryStatus::ok);
+  ASSERT_EQ(this->index_.overlaps(Sphere<kD>{{}, 0x1p-69F}, found), QueryStatus::ok);
   EXPECT_TRUE(found.empty()) << "it is half as far as the box";
-  ASSERT_EQ(this->index_.overlaps(Sphere<D>{{}, 0x1p-68F}, found), QueryStatus::ok);
+  ASSERT_EQ(this->index_.overlaps(Sphere<kD>{{}, 0x1p-68F}, found), QueryStatus::ok);
   EXPECT_EQ(found.size(), 1U);
 }
 
 TYPED_TEST(SpatialIndexTest, AHitIsNeverAtInfinity) {
-  constexpr int D = TypeParam::value;
-  ASSERT_EQ(this->bsp_.insert({0}, slab<D>(0x1p60F, 0x1p61F), Mobility::moving), Status::ok);
+  constexpr int kD = TypeParam::value;
+  ASSERT_EQ(this->bsp_.insert({0}, slab<kD>(0x1p60F, 0x1p61F), Mobility::moving), Status::ok);
   this->index_.update(this->bsp_.objects());
-  Ray<D> ray{all<D>(0.5F), {}};
+  Ray<kD> ray{all<kD>(0.5F), {}};
   ray.direction[0] = 0x1p-90F;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
@@ -159,14 +159,14 @@ TYPED_TEST(SpatialIndexTest, AHitIsNeverAtInfinity) {
 }
 
 TYPED_TEST(SpatialIndexTest, ACastOfNoLengthHitsWhereItIs) {
-  constexpr int D = TypeParam::value;
-  ASSERT_EQ(this->bsp_.insert({0}, {all<D>(-1), all<D>(1)}, Mobility::moving), Status::ok);
+  constexpr int kD = TypeParam::value;
+  ASSERT_EQ(this->bsp_.insert({0}, {all<kD>(-1), all<kD>(1)}, Mobility::moving), Status::ok);
   this->index_.update(this->bsp_.objects());
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (const Scalar length : {0.0F, -0.0F}) {
       Hit first;
-      ASSERT_EQ(this->index_.first_hit(Ray<D>{all<D>(0), all<D>(1), length}, first), QueryStatus::ok);
+      ASSERT_EQ(this->index_.first_hit(Ray<kD>{all<kD>(0), all<kD>(1), length}, first), QueryStatus::ok);
       EXPECT_EQ(first, (Hit{{0}, 0})) << kernel << ' ' << length;
     }
   }
@@ -174,15 +174,15 @@ TYPED_TEST(SpatialIndexTest, ACastOfNoLengthHitsWhereItIs) {
 }
 
 TYPED_TEST(SpatialIndexTest, TheNearestStandBehindWhatWasFoundBefore) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (std::uint32_t id = 0; id < 50; ++id)
     ASSERT_EQ(
-        this->bsp_.insert({id}, slab<D>(static_cast<Scalar>(id), static_cast<Scalar>(id)), Mobility::moving),
+        this->bsp_.insert({id}, slab<kD>(static_cast<Scalar>(id), static_cast<Scalar>(id)), Mobility::moving),
         Status::ok);
   this->index_.update(this->bsp_.objects());
   for (const std::size_t count : {std::size_t{3}, std::size_t{40}}) {
     std::vector<Neighbour> found{{{99}, 1e9}};
-    ASSERT_EQ(this->index_.nearest({all<D>(0), count}, found), QueryStatus::ok);
+    ASSERT_EQ(this->index_.nearest({all<kD>(0), count}, found), QueryStatus::ok);
     ASSERT_EQ(found.size(), count + 1);
     EXPECT_EQ(found.front(), (Neighbour{{99}, 1e9}));
     for (std::uint32_t k = 0; k < count; ++k) EXPECT_EQ(found[k + 1].object, ObjectId{k});
@@ -190,9 +190,9 @@ TYPED_TEST(SpatialIndexTest, TheNearestStandBehindWhatWasFoundBefore) {
 }
 
 TYPED_TEST(SpatialIndexTest, FiltersByMaskAndByCall) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (std::uint32_t id = 0; id < 20; ++id)
-    ASSERT_EQ(this->bsp_.insert({id}, slab<D>(static_cast<Scalar>(id), static_cast<Scalar>(id) + 0.5F),
+    ASSERT_EQ(this->bsp_.insert({id}, slab<kD>(static_cast<Scalar>(id), static_cast<Scalar>(id) + 0.5F),
                                 Mobility::moving),
               Status::ok);
   this->index_.update(this->bsp_.objects());
@@ -202,46 +202,46 @@ TYPED_TEST(SpatialIndexTest, FiltersByMaskAndByCall) {
   filter.mask = 2;
   filter.categories = categories;  // those from 10 on have all
   std::vector<ObjectId> found;
-  const Box<D> everything{all<D>(-100), all<D>(100)};
+  const Box<kD> everything{all<kD>(-100), all<kD>(100)};
   ASSERT_EQ(this->index_.overlaps(everything, found, filter), QueryStatus::ok);
   ASSERT_EQ(found.size(), 11U);
   EXPECT_EQ(found.front(), ObjectId{4});
   filter.accepts = [](void*, ObjectId object) { return object.value % 2 == 1; };
   Hit first;
-  Ray<D> ray{all<D>(0.5F), {}, 100};
+  Ray<kD> ray{all<kD>(0.5F), {}, 100};
   ray.direction[0] = 1;
   ASSERT_EQ(this->index_.first_hit(ray, first, filter), QueryStatus::ok);
   EXPECT_EQ(first, (Hit{{11}, 10.5F}));
   std::vector<Neighbour> nearest;
-  ASSERT_EQ(this->index_.nearest({all<D>(0), 2}, nearest, filter), QueryStatus::ok);
+  ASSERT_EQ(this->index_.nearest({all<kD>(0), 2}, nearest, filter), QueryStatus::ok);
   EXPECT_EQ(nearest, (std::vector<Neighbour>{{{11}, 121}, {{13}, 169}}));
 }
 
 TYPED_TEST(SpatialIndexTest, AppendsWithoutAllocating) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->crowd_.add(100);
   this->index_.update(this->bsp_.objects());
   std::vector<ObjectId> found{{77}};
   found.reserve(200);
   const ObjectId* const room = found.data();
-  ASSERT_EQ(this->index_.overlaps(Box<D>{all<D>(-1000), all<D>(1000)}, found), QueryStatus::ok);
+  ASSERT_EQ(this->index_.overlaps(Box<kD>{all<kD>(-1000), all<kD>(1000)}, found), QueryStatus::ok);
   EXPECT_EQ(found.size(), 101U);
   EXPECT_EQ(found.front(), ObjectId{77});
   EXPECT_EQ(found.data(), room);
 }
 
 TYPED_TEST(SpatialIndexTest, ManyAtOnceFindWhatEachFindsAlone) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->crowd_.add(500);
   this->index_.update(this->bsp_.objects());
   Random random(5);
-  std::vector<Box<D>> boxes;
-  for (int k = 0; k < 1000; ++k) boxes.push_back(random_box<D>(random, 20, 2));
+  std::vector<Box<kD>> boxes;
+  for (int k = 0; k < 1000; ++k) boxes.push_back(random_box<kD>(random, 20, 2));
   boxes[500].min[0] = std::numeric_limits<Scalar>::quiet_NaN();
   for (const unsigned threads : {1U, 4U}) {
     TaskPool pool(threads);
     BatchResult<ObjectId> result;
-    overlaps(this->index_, std::span<const Box<D>>(boxes), pool, result);
+    overlaps(this->index_, std::span<const Box<kD>>(boxes), pool, result);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       std::vector<ObjectId> alone;
       ASSERT_EQ(this->index_.overlaps(boxes[k], alone), result.statuses[k]);
@@ -252,27 +252,27 @@ TYPED_TEST(SpatialIndexTest, ManyAtOnceFindWhatEachFindsAlone) {
 }
 
 TYPED_TEST(SpatialIndexTest, ThreadsMayAskAtTheSameTime) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->crowd_.add(500);
   this->index_.update(this->bsp_.objects());
   std::vector<std::thread> threads;
   std::vector<std::string> verdicts(4);
   for (std::size_t k = 0; k < verdicts.size(); ++k)
     threads.emplace_back(
-        [&, k] { verdicts[k] = judge_queries<D>(this->bsp_.objects(), this->index_, nullptr, 10, k); });
+        [&, k] { verdicts[k] = judge_queries<kD>(this->bsp_.objects(), this->index_, nullptr, 10, k); });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(verdicts, std::vector<std::string>(4));
 }
 
 TYPED_TEST(SpatialIndexTest, AWalkSaysWhatItPruned) {
-  constexpr int D = TypeParam::value;
-  Bsp<D> bsp{Config{}};
-  MovingBoxes<D> sparse(bsp, 100, 0.5, 1);
+  constexpr int kD = TypeParam::value;
+  Bsp<kD> bsp{Config{}};
+  MovingBoxes<kD> sparse(bsp, 100, 0.5, 1);
   sparse.add(2000);
   for (int step = 0; step < 30; ++step) bsp.step();
-  TreeWalk<D> walk(bsp.tree(), bsp.objects());
+  TreeWalk<kD> walk(bsp.tree(), bsp.objects());
   ASSERT_TRUE(walk.waiting().empty());
-  Ray<D> ray{all<D>(5), {}, 100};
+  Ray<kD> ray{all<kD>(5), {}, 100};
   ray.direction[0] = 1;
   Hit first;
   ASSERT_EQ(walk.first_hit(ray, first), QueryStatus::ok);
@@ -282,7 +282,7 @@ TYPED_TEST(SpatialIndexTest, AWalkSaysWhatItPruned) {
   EXPECT_GT(count(NodeFate::apart) + count(NodeFate::later), 0);
   for (const NodeVisit& visit : walk.visits()) {
     if (visit.fate == NodeFate::apart) {
-      EXPECT_FALSE(touches(Cast<D>(ray), walk.bounds(visit.node)));
+      EXPECT_FALSE(touches(Cast<kD>(ray), walk.bounds(visit.node)));
     }
     if (visit.fate == NodeFate::later) {
       EXPECT_GT(visit.key, static_cast<double>(first.t));

@@ -115,12 +115,12 @@ TYPED_TEST(Touch, SegmentsAreExact) {
 }
 
 TYPED_TEST(Touch, SegmentsKeepWhatFloatsAndDoublesRound) {
-  constexpr int D = TypeParam::value;
-  Segment<D> segment;  // its direction has no float, and no double
+  constexpr int kD = TypeParam::value;
+  Segment<kD> segment;  // its direction has no float, and no double
   segment.from[0] = 0x1p100F;
   segment.to[0] = -1;
-  const Cast<D> cast(segment);
-  Box<D> at_end;
+  const Cast<kD> cast(segment);
+  Box<kD> at_end;
   at_end.min[0] = at_end.max[0] = -1;
   EXPECT_TRUE(touches(cast, at_end));
   at_end.min[0] = at_end.max[0] = std::nextafter(-1.0F, -2.0F);
@@ -159,15 +159,15 @@ TYPED_TEST(Touch, FrustumsAreExact) {
 }
 
 TYPED_TEST(Touch, AHitInsideIsAtZero) {
-  constexpr int D = TypeParam::value;
-  Ray<D> ray;
+  constexpr int kD = TypeParam::value;
+  Ray<kD> ray;
   ray.direction[0] = 1;
-  Box<D> box;
+  Box<kD> box;
   box.min[0] = -1;
   box.max[0] = 1;
-  EXPECT_EQ(entry_of(Cast<D>(ray), box), 0);
+  EXPECT_EQ(entry_of(Cast<kD>(ray), box), 0);
   ray.origin[0] = -3;
-  EXPECT_EQ(entry_of(Cast<D>(ray), box), 2);
+  EXPECT_EQ(entry_of(Cast<kD>(ray), box), 2);
 }
 
 }  // namespace

@@ -32,10 +32,10 @@ TYPED_TEST_SUITE(RecordedMotion, test::Dimensions, test::DimensionNames);
 
 /// Objects come, go, come again with another mobility, and have boxes that cannot be placed.
 TYPED_TEST(RecordedMotion, HasThePairsOfTheRecordingInEachStep) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->record();
   for (const std::uint32_t first : {1U, 17U}) {
-    const RecordedRun<D> run = this->run(first, kSteps);
+    const RecordedRun<kD> run = this->run(first, kSteps);
     const auto motion = run.motion();
     for (std::uint32_t step = first;; ++step) {
       EXPECT_EQ(true_pairs(motion->boxes(), motion->moving()).size(), this->reader_->row(step).pairs) << step;
@@ -46,17 +46,17 @@ TYPED_TEST(RecordedMotion, HasThePairsOfTheRecordingInEachStep) {
 }
 
 TYPED_TEST(RecordedMotion, SaysWhatChanges) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->record();
-  const RecordedRun<D> run = this->run(1, kSteps);
+  const RecordedRun<kD> run = this->run(1, kSteps);
   const auto motion = run.motion();
   std::size_t changes = 0;
   for (std::uint32_t step = 2; step <= kSteps; ++step) {
-    std::vector<Box<D>> boxes(motion->boxes().begin(), motion->boxes().end());
+    std::vector<Box<kD>> boxes(motion->boxes().begin(), motion->boxes().end());
     motion->advance();
     EXPECT_LE(motion->inserted().size() + motion->removed().size(), motion->most_changes());
     changes += motion->inserted().size() + motion->removed().size();
-    for (const ObjectId object : motion->removed()) boxes[object.index()] = no_box<D>();
+    for (const ObjectId object : motion->removed()) boxes[object.index()] = no_box<kD>();
     for (const ObjectId object : motion->inserted()) {
       EXPECT_TRUE(is_absent(boxes[object.index()])) << "it came and was there";
       boxes[object.index()] = motion->boxes()[object.index()];
@@ -71,9 +71,9 @@ TYPED_TEST(RecordedMotion, SaysWhatChanges) {
 }
 
 TYPED_TEST(RecordedMotion, KnowsHowManyAreThereAtOnce) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->record();
-  const RecordedRun<D> run = this->run(17, kSteps);
+  const RecordedRun<kD> run = this->run(17, kSteps);
   std::uint32_t most = 0;
   for (std::uint32_t step = 17; step <= kSteps; ++step)
     most = std::max(most, this->reader_->row(step).statistics.objects);
@@ -82,9 +82,9 @@ TYPED_TEST(RecordedMotion, KnowsHowManyAreThereAtOnce) {
 }
 
 TYPED_TEST(RecordedMotion, TakesTheBoxesOfVolumes) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   this->record(VolumeKind::sphere);
-  const RecordedRun<D> run = this->run(3, 4);
+  const RecordedRun<kD> run = this->run(3, 4);
   const auto motion = run.motion();
   EXPECT_GE(true_pairs(motion->boxes(), motion->moving()).size(), this->reader_->row(3).pairs)
       << "boxes overlap wherever spheres do";

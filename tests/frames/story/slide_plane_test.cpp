@@ -40,14 +40,14 @@ class SlidePlane : public testing::Test {};
 TYPED_TEST_SUITE(SlidePlane, test::Dimensions, test::DimensionNames);
 
 TYPED_TEST(SlidePlane, OfASplitGrowsToItsPlace) {
-  constexpr int D = TypeParam::value;
-  const PlannedMoment<D> before(Operator::split);
+  constexpr int kD = TypeParam::value;
+  const PlannedMoment<kD> before(Operator::split);
   ASSERT_TRUE(before.moment.acted.node.node.value < before.plan.snapshot.nodes().size());
   const double whole = width_of(before.highlight().partitioner);
   ASSERT_GT(whole, 0);
   double last = -1;
   for (const double progress : {0.0, 0.4, 0.5, 1.0}) {
-    PlannedMoment<D> at = before;
+    PlannedMoment<kD> at = before;
     slide_plane(at.plan, at.moment, progress);
     const double now = width_of(at.highlight().partitioner);
     EXPECT_GT(now, last);
@@ -58,8 +58,8 @@ TYPED_TEST(SlidePlane, OfASplitGrowsToItsPlace) {
 
 /// A plane whose node has another one meanwhile stays where it is.
 TYPED_TEST(SlidePlane, OfABalanceGoesFromItsOldToItsNewPlace) {
-  constexpr int D = TypeParam::value;
-  PlannedMoment<D> planned(Operator::split);
+  constexpr int kD = TypeParam::value;
+  PlannedMoment<kD> planned(Operator::split);
   const NodeRef node = planned.moment.acted.node;
   ASSERT_FALSE(planned.plan.snapshot[node.node].is_leaf());
   const Scalar now = planned.plan.snapshot.plane(node.node).offset;
@@ -71,7 +71,7 @@ TYPED_TEST(SlidePlane, OfABalanceGoesFromItsOldToItsNewPlace) {
     planned.moment.acted = highlight.acted;
   }
   const auto offset_at = [&](double progress) {
-    PlannedMoment<D> at = planned;
+    PlannedMoment<kD> at = planned;
     slide_plane(at.plan, at.moment, progress);
     return at.plan.snapshot.plane(node.node).offset;
   };
@@ -81,13 +81,13 @@ TYPED_TEST(SlidePlane, OfABalanceGoesFromItsOldToItsNewPlace) {
 }
 
 TYPED_TEST(SlidePlane, BodiesMoveBetweenSteps) {
-  constexpr int D = TypeParam::value;
-  Body<D> body;
-  body.shape = Brick<D>{};
-  std::vector<Body<D>> from{body};
+  constexpr int kD = TypeParam::value;
+  Body<kD> body;
+  body.shape = Brick<kD>{};
+  std::vector<Body<kD>> from{body};
   body.pose.position[0] = 4;
   body.box.max[0] = 4;
-  const std::vector<Body<D>> to{body, body};
+  const std::vector<Body<kD>> to{body, body};
   const auto half = blend(from, to, 0.25);
   ASSERT_EQ(half.size(), 1U) << "what comes in the later step is not there yet";
   EXPECT_FLOAT_EQ(half[0].pose.position[0], 1);

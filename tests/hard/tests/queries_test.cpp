@@ -38,18 +38,18 @@ void play(const HardCase& hard_case, VolumeKind kind) {
 }
 
 TYPED_TEST(HardQueries, AreExactOnEveryCase) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const HardCase& hard_case : hard_cases()) {
     if (hard_case.flush_to_zero) continue;
-    play<D>(hard_case, VolumeKind::box);
+    play<kD>(hard_case, VolumeKind::box);
   }
 }
 
 TYPED_TEST(HardQueries, AreExactForEveryVolume) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const HardCase& hard_case : hard_cases())
     if (hard_case.id.starts_with("V"))
-      for (const VolumeKind kind : volume_kinds<D>()) play<D>(hard_case, kind);
+      for (const VolumeKind kind : volume_kinds<kD>()) play<kD>(hard_case, kind);
 }
 
 }  // namespace
