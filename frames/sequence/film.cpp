@@ -5,7 +5,6 @@
 #include <exception>
 #include <iterator>
 #include <stdexcept>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -209,12 +208,8 @@ std::unique_ptr<Film> make_film(const RenderRequest& request) {
   try {
     if (request.beside) return make_panes_film(request);
     return std::visit(
-        [&](const auto* entry) -> std::unique_ptr<Film> {
-          if constexpr (std::is_same_v<decltype(entry), const SceneEntry<2>*>) {
-            return std::make_unique<SceneFilm<2>>(*entry, request);
-          } else {
-            return std::make_unique<SceneFilm<3>>(*entry, request);
-          }
+        [&]<int D>(const SceneEntry<D>* entry) -> std::unique_ptr<Film> {
+          return std::make_unique<SceneFilm<D>>(*entry, request);
         },
         request.scene.entry);
   } catch (const std::invalid_argument& error) {

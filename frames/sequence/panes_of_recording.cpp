@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -127,14 +126,10 @@ class PanesOfRecording final : public PanesFilm<D> {
 }  // namespace
 
 std::unique_ptr<Film> make_panes_of_recording(const RenderRequest& request) {
-  return with_recording(request.recording->path, [&](const auto& reader) -> std::unique_ptr<Film> {
-    using Reader = std::decay_t<decltype(*reader)>;
-    if constexpr (std::is_same_v<Reader, RecordingReader<2>>) {
-      return std::make_unique<PanesOfRecording<2>>(reader, request);
-    } else {
-      return std::make_unique<PanesOfRecording<3>>(reader, request);
-    }
-  });
+  return with_recording(request.recording->path,
+                        [&]<int D>(std::shared_ptr<RecordingReader<D>> reader) -> std::unique_ptr<Film> {
+                          return std::make_unique<PanesOfRecording<D>>(std::move(reader), request);
+                        });
 }
 
 }  // namespace kerf

@@ -1,5 +1,4 @@
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -71,12 +70,8 @@ class PanesOfScene final : public PanesFilm<D> {
 
 std::unique_ptr<Film> make_panes_film(const RenderRequest& request) {
   return std::visit(
-      [&](const auto* entry) -> std::unique_ptr<Film> {
-        if constexpr (std::is_same_v<decltype(entry), const SceneEntry<2>*>) {
-          return std::make_unique<PanesOfScene<2>>(*entry, request);
-        } else {
-          return std::make_unique<PanesOfScene<3>>(*entry, request);
-        }
+      [&]<int D>(const SceneEntry<D>* entry) -> std::unique_ptr<Film> {
+        return std::make_unique<PanesOfScene<D>>(*entry, request);
       },
       request.scene.entry);
 }

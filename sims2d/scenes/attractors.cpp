@@ -75,11 +75,6 @@ class AttractorScene final : public WorldScene<2, Box2dWorld> {
   std::vector<Attractor<2>> attractors_;
 };
 
-std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
-  return std::make_unique<AttractorScene>(broad_phase, objects, options.seed);
-}
-
 }  // namespace
 
 SceneEntry<2> attractors_entry() {
@@ -88,7 +83,7 @@ SceneEntry<2> attractors_entry() {
           .source = "paper, simulation 2, in 2D",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make,
+          .make = make_at_once<AttractorScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: all clouds together, from the first step"};
 }

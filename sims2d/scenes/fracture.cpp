@@ -100,11 +100,6 @@ class FractureScene final : public WorldScene<2, Box2dWorld> {
   std::vector<std::uint8_t> whole_;  ///< by block; blocks are the first objects
 };
 
-std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
-  return std::make_unique<FractureScene>(broad_phase, objects, options.seed);
-}
-
 }  // namespace
 
 SceneEntry<2> fracture_entry() {
@@ -113,7 +108,7 @@ SceneEntry<2> fracture_entry() {
           .source = "paper, simulation 3, in 2D",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make,
+          .make = make_at_once<FractureScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: fragments when all is broken, rounded down to whole blocks of 16"};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/scene/scene.h"
 
@@ -23,5 +24,12 @@ inline constexpr std::uint32_t kMaxObjects2d = 100'000;
 /// over which the objects fall as densely in a large scene as in a small one. Throws std::invalid_argument
 /// for more than `kMaxObjects2d`.
 Growth growth_of(const SceneOptions& options, std::uint32_t default_objects);
+
+/// Makes a scene whose objects are all there from the first step on.
+template <class S, std::uint32_t DefaultObjects>
+std::unique_ptr<Scene<2>> make_at_once(BroadPhase<2>& broad_phase, const SceneOptions& options) {
+  const std::uint32_t objects = growth_of(options, DefaultObjects).objects;
+  return std::make_unique<S>(broad_phase, objects, options.seed);
+}
 
 }  // namespace kerf::inline sims2d

@@ -58,11 +58,6 @@ class PyramidScene final : public WorldScene<2, Box2dWorld> {
   void act() override {}
 };
 
-std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
-  return std::make_unique<PyramidScene>(broad_phase, objects, options.seed);
-}
-
 }  // namespace
 
 SceneEntry<2> pyramid_entry() {
@@ -71,7 +66,7 @@ SceneEntry<2> pyramid_entry() {
           .source = "ours, after Box2D's test bed",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make,
+          .make = make_at_once<PyramidScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: the disc and the blocks, from the first step; seed: where the disc falls"};
 }

@@ -66,11 +66,6 @@ class RodScene final : public WorldScene<2, Box2dWorld> {
   void act() override {}
 };
 
-std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
-  return std::make_unique<RodScene>(broad_phase, objects, options.seed);
-}
-
 }  // namespace
 
 SceneEntry<2> rods_entry() {
@@ -79,7 +74,7 @@ SceneEntry<2> rods_entry() {
           .source = "ours, for free directions",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make,
+          .make = make_at_once<RodScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: rods, from the first step"};
 }

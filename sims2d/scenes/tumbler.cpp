@@ -69,11 +69,6 @@ class TumblerScene final : public WorldScene<2, Box2dWorld> {
   std::array<ObjectId, kWalls> walls_;
 };
 
-std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
-  return std::make_unique<TumblerScene>(broad_phase, objects, options.seed);
-}
-
 }  // namespace
 
 SceneEntry<2> tumbler_entry() {
@@ -82,7 +77,7 @@ SceneEntry<2> tumbler_entry() {
           .source = "ours, after Box2D's test bed",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make,
+          .make = make_at_once<TumblerScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: those in the drum, from the first step; its four walls come to them"};
 }

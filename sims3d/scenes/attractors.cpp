@@ -87,10 +87,6 @@ class AttractorScene final : public WorldScene<3, OdeWorld> {
   std::vector<Attractor<3>> attractors_;
 };
 
-std::unique_ptr<Scene<3>> make_attractors(BroadPhase<3>& broad_phase, const SceneOptions& options) {
-  return std::make_unique<AttractorScene>(broad_phase, resolve(options, kDefaultObjects, 1));
-}
-
 }  // namespace
 
 SceneEntry<3> attractors_entry() {
@@ -99,7 +95,7 @@ SceneEntry<3> attractors_entry() {
           .source = "the paper's simulation 2",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_attractors,
+          .make = make_at_once<AttractorScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: all clouds together, from the first step"};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/random.h"
@@ -23,6 +24,12 @@ struct Drop {
 /// The user's options with 0 replaced by the scene's own default. Throws std::invalid_argument, naming the
 /// limit, for more objects or steps than a scene can take.
 SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects, std::uint32_t default_steps);
+
+/// Makes a scene whose objects are all there from the first step on.
+template <class S, std::uint32_t DefaultObjects>
+std::unique_ptr<Scene<3>> make_at_once(BroadPhase<3>& broad_phase, const SceneOptions& options) {
+  return std::make_unique<S>(broad_phase, resolve(options, DefaultObjects, 1));
+}
 
 /// Balls and bricks, about one unit in size, that fall into fixed surroundings; their number grows step by
 /// step.

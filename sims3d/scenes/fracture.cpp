@@ -112,10 +112,6 @@ class FractureScene final : public WorldScene<3, OdeWorld> {
   std::vector<std::uint8_t> whole_;  // by block; blocks are the first objects
 };
 
-std::unique_ptr<Scene<3>> make_fracture(BroadPhase<3>& broad_phase, const SceneOptions& options) {
-  return std::make_unique<FractureScene>(broad_phase, resolve(options, kDefaultObjects, 1));
-}
-
 }  // namespace
 
 SceneEntry<3> fracture_entry() {
@@ -124,7 +120,7 @@ SceneEntry<3> fracture_entry() {
           .source = "the paper's simulation 3",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_fracture,
+          .make = make_at_once<FractureScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: fragments when all is broken, rounded down to whole blocks of 27"};
 }

@@ -126,10 +126,6 @@ class JellyScene final : public WorldScene<3, OdeWorld> {
   std::vector<Softness> blocks_;
 };
 
-std::unique_ptr<Scene<3>> make_jelly(BroadPhase<3>& broad_phase, const SceneOptions& options) {
-  return std::make_unique<JellyScene>(broad_phase, resolve(options, kDefaultObjects, 1));
-}
-
 }  // namespace
 
 SceneEntry<3> jelly_entry() {
@@ -138,7 +134,7 @@ SceneEntry<3> jelly_entry() {
           .source = "ours, after section 7 of the paper",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_jelly,
+          .make = make_at_once<JellyScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: soft blocks, from the first step"};
 }

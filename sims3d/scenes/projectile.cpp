@@ -77,10 +77,6 @@ class ProjectileScene final : public WorldScene<3, OdeWorld> {
   std::uint32_t shots_ = 0;
 };
 
-std::unique_ptr<Scene<3>> make_projectile(BroadPhase<3>& broad_phase, const SceneOptions& options) {
-  return std::make_unique<ProjectileScene>(broad_phase, resolve(options, kDefaultObjects, 1));
-}
-
 }  // namespace
 
 SceneEntry<3> projectile_entry() {
@@ -89,7 +85,7 @@ SceneEntry<3> projectile_entry() {
           .source = "ours, for fast objects among resting ones",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_projectile,
+          .make = make_at_once<ProjectileScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: the ball and the blocks of the stack, from the first step"};
 }

@@ -69,10 +69,6 @@ class RodScene final : public WorldScene<3, OdeWorld> {
   void act() override {}
 };
 
-std::unique_ptr<Scene<3>> make_rods(BroadPhase<3>& broad_phase, const SceneOptions& options) {
-  return std::make_unique<RodScene>(broad_phase, resolve(options, kDefaultObjects, 1));
-}
-
 }  // namespace
 
 SceneEntry<3> rods_entry() {
@@ -81,7 +77,7 @@ SceneEntry<3> rods_entry() {
           .source = "ours, for free directions",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_rods,
+          .make = make_at_once<RodScene, kDefaultObjects>,
           .grows = false,
           .parameters = "objects: rods, from the first step, in twelve layers"};
 }

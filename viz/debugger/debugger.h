@@ -56,7 +56,6 @@ class Debugger {
   [[nodiscard]] WindowSettings& window() { return memory_.window; }
   /// The user moves a panel or a divider at this moment.
   [[nodiscard]] bool is_dragging() const { return gui_.is_held(); }
-  [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
   /// A text for the clipboard, once for each that the user has copied.
   std::optional<std::string> take_copied();
   /// Reports the result of a request, or why it failed.

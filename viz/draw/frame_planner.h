@@ -55,7 +55,6 @@ class FramePlanner {
   void name_outside() { plan_.names_outside = true; }
   /// From now on the ramp of populations ends here.
   void fix_largest_population(std::uint32_t population);
-  [[nodiscard]] Box<D> view_box() const { return view_box_.box(); }
   void set_layers(LayerSet layers) { layers_ = layers; }
 
  private:

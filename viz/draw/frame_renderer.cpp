@@ -260,11 +260,6 @@ void FrameRenderer<D>::set_view_box(const Box<D>& box) {
 }
 
 template <int D>
-Box<D> FrameRenderer<D>::view_box() const {
-  return state_->planner.view_box();
-}
-
-template <int D>
 void FrameRenderer<D>::set_layers(LayerSet layers) {
   state_->options.layers = layers;
   state_->planner.set_layers(layers);

@@ -128,8 +128,6 @@ class FrameRenderer {
 
   /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void set_view_box(const Box<D>& box);
-  /// The box that the last frame showed, for the other renderers of a sequence.
-  [[nodiscard]] Box<D> view_box() const;
   void set_layers(LayerSet layers);
   /// From now on this is the camera, where no path moves it.
   void set_camera(const CameraChoice<D>& camera);
