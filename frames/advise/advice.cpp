@@ -94,11 +94,12 @@ void say_others(std::vector<Standing> standings, std::vector<std::string>& sente
   const auto smallest =
       std::ranges::min_element(standings, {}, [](const Standing& each) { return each.row.rss_bytes; });
   const auto bytes = [&](const BenchRow& row) {
-    return three_digits(static_cast<double>(row.rss_bytes) / row.cell.objects);
+    if (row.rss_bytes == 0) return std::string("too little to be measured");
+    return three_digits(static_cast<double>(row.rss_bytes) / row.cell.objects) + " bytes an object";
   };
   if (static_cast<double>(smallest->row.rss_bytes) * kWorthSaying < static_cast<double>(fastest.rss_bytes))
     sentences.push_back(smallest->row.algorithm + ": takes the least memory, " + bytes(smallest->row) +
-                        " bytes an object instead of " + bytes(fastest) + ".");
+                        " instead of " + bytes(fastest) + ".");
 }
 
 }  // namespace

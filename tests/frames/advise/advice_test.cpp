@@ -116,7 +116,11 @@ TEST(Advice, SaysWhichIsSteadierOrSmaller) {
                        "where no step may be late."));
   EXPECT_THAT(advice.sentences,
               Contains("sort-and-sweep: takes the least memory, 20.0 bytes an object instead "
-                       "of 200."));
+                       "of 200 bytes an object."));
+  cell.rows[2].rss_bytes = 0;
+  EXPECT_THAT(advise(cell).sentences,
+              Contains("sort-and-sweep: takes the least memory, too little to be measured instead of 200 "
+                       "bytes an object."));
 }
 
 }  // namespace
