@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/ids.h"
 
@@ -20,6 +21,21 @@ class AppendBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
+  AppendBuffer() = default;
+  AppendBuffer(AppendBuffer&& other) noexcept
+      : data_(std::move(other.data_)),
+        size_(std::exchange(other.size_, 0)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
+  AppendBuffer& operator=(AppendBuffer&& other) noexcept {
+    data_ = std::move(other.data_);
+    size_ = std::exchange(other.size_, 0);
+    capacity_ = std::exchange(other.capacity_, 0);
+    return *this;
+  }
+  ~AppendBuffer() = default;
+  AppendBuffer(const AppendBuffer&) = delete;
+  AppendBuffer& operator=(const AppendBuffer&) = delete;
+
   void clear() { size_ = 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::span<const T> all() const { return {data_.get(), size_}; }

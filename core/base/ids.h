@@ -32,7 +32,8 @@ struct NodeRef {
   friend constexpr bool operator==(const NodeRef&, const NodeRef&) = default;
 };
 
-/// A candidate pair: two objects whose boxes overlap in the closed sense, `a < b`.
+/// A candidate pair: two objects whose boxes overlap in the closed sense, `a < b`. (A KeptLeaf may name them
+/// by their places.)
 struct Pair {
   ObjectId a;
   ObjectId b;

@@ -99,7 +99,7 @@ void Bsp<D, Trace>::step() {
 /// in a small world whose pairs are rows of bits. The fixed cost of a step would be most of what it takes.
 template <int D, class Trace>
 bool Bsp<D, Trace>::is_calm() const {
-  if (Trace::kEnabled || clock_.is_on()) return false;  // who sees the phases of a step sees all
+  if (Trace::kEnabled || clock_.is_on()) return false;  // a trace or a clock needs all phases
   return modes_.has_settled_on_rows() && config_.skin > 0 && row_tests() <= tuning::kFewTests &&
          requests_.are_moves() && swept_.has_rows(tree_.table) && scheduler_.is_idle(tree_, config_);
 }
@@ -211,7 +211,7 @@ void Bsp<D, Trace>::place() {
     SweptStep<D>::move_in_root(context);
     placed_ = 0;
   } else if (before == Mode::kept || shift ||
-             (mode == Mode::swept && requests_.exceed(config_.stream_share))) {
+             (mode == Mode::swept && requests_.changed_exceed(config_.stream_share))) {
     placed_ = swept_.place_all(context, before, mode, reporter_);
   } else {
     placed_ = OrderedStep<D>::place(context, reporter_);

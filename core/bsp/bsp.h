@@ -33,6 +33,9 @@ struct BspState;
 /// tree, and finds the pairs. How objects are placed and pairs are found is the business of the mode's
 /// strategy: OrderedStep, SweptStep or KeptStep. This class has thirteen fields, since it is where all parts
 /// of a step meet; what they do with each other is in `adapt`, `place` and `find_pairs`, and nowhere else.
+///
+/// If a request or a step throws because memory runs out, the tree can only be destroyed or restored; World
+/// makes it anew by itself.
 template <int D, class Trace = NoTrace>
 class Bsp final : public BroadPhase<D> {
  public:

@@ -34,7 +34,7 @@ Vector<D> median(std::span<const SampledMotion<D>> sample) {
 
 /// The farthest that a vector goes along an axis.
 template <int D>
-float reach_of(const Vector<D>& by) {
+float longest_component(const Vector<D>& by) {
   float most = 0;
   for (const Scalar value : by.value) most = std::max(most, std::abs(value));
   return most;
@@ -75,8 +75,8 @@ bool is_far(const SampledMotion<D>& motion, float reach) {
 /// Whether an object moved by the vector, or nearly.
 template <int D>
 bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance = 1) {
-  const bool was_shifted = reach_of(by) >= tuning::kWayOfShift * motion.size;
-  return reach_of(motion.by - by) <= tolerance * (was_shifted ? 1 : tuning::kAlike) * motion.size;
+  const bool was_shifted = longest_component(by) >= tuning::kWayOfShift * motion.size;
+  return longest_component(motion.by - by) <= tolerance * (was_shifted ? 1 : tuning::kAlike) * motion.size;
 }
 
 /// False after a few objects if most of them move slowly or each its own way, as in nearly every step.
@@ -87,7 +87,7 @@ bool may_be_common(const ShiftSample<D>& sample) {
   std::uint32_t others = 0;
   for (std::uint32_t k = 0; k < sample.size(); ++k) {
     const auto motion = sample[k];
-    if (!motion || !is_far(*motion, reach_of(motion->by))) {
+    if (!motion || !is_far(*motion, longest_component(motion->by))) {
       ++others;
     } else if (votes == 0) {
       by = motion->by;
@@ -106,16 +106,18 @@ bool may_be_common(const ShiftSample<D>& sample) {
 }  // namespace
 
 template <int D>
-std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps) {
-  if (requests.kind() != VolumeKind::box || !requests.exceed(tuning::kLeastShareAlike)) return std::nullopt;
-  const ShiftSample<D> sample(requests, tree, keeps);
+std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& placed,
+                                       bool keeps) {
+  if (requests.kind() != VolumeKind::box || !requests.changed_exceed(tuning::kLeastShareAlike))
+    return std::nullopt;
+  const ShiftSample<D> sample(requests, placed, keeps);
   if (!may_be_common(sample)) return std::nullopt;
   std::vector<SampledMotion<D>> motions;
   for (std::uint32_t k = 0; k < sample.size(); ++k)
     if (const auto motion = sample[k]) motions.push_back(*motion);
   if (motions.empty()) return std::nullopt;
   const Vector<D> by = median<D>(motions);
-  const float reach = reach_of(by);
+  const float reach = longest_component(by);
   const auto alike = std::ranges::count_if(
       motions, [&](const SampledMotion<D>& motion) { return is_far(motion, reach) && is_alike(motion, by); });
   const bool are_alike =
@@ -127,7 +129,7 @@ template <int D>
 void shift_planes(Tree<D>& tree, const Vector<D>& by) {
   for_each_node(tree, tree.root(), [&](NodeId id) {
     Plane<D>& plane = tree[id].plane;
-    const Scalar offset = plane.offset + dot(plane.normal, by);
+    const Scalar offset = shifted_offset(plane, by);
     if (!tree[id].is_leaf() && std::isfinite(offset)) plane.offset = offset;
   });
 }

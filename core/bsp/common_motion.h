@@ -13,16 +13,16 @@ namespace kerf {
 /// size, or by all of it if the way is eight times as long. A sample decides; a mistake costs time, never a
 /// pair. None for volumes that are not boxes.
 template <int D>
-std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps);
+std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& placed, bool keeps);
 
 /// Moves all partitioners by the vector. Entries are wrong until all objects are placed anew.
 template <int D>
 void shift_planes(Tree<D>& tree, const Vector<D>& by);
 
-/// The box moved by the vector, as floats round.
+/// Where the partitioner's offset goes by the vector.
 template <int D>
-Box<D> shifted(const Box<D>& box, const Vector<D>& by) {
-  return {box.min + by, box.max + by};
+Scalar shifted_offset(const Plane<D>& plane, const Vector<D>& by) {
+  return plane.offset + dot(plane.normal, by);
 }
 
 }  // namespace kerf

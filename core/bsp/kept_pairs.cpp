@@ -82,7 +82,7 @@ template <int D>
 void mark_fat(const KeptObjects<D>& objects, const LeafView<D>& view, std::vector<std::uint8_t>& marks) {
   const std::size_t count = view.size();
   marks.assign(count, 1);
-  if (!objects.some_rest) return;
+  if (!objects.keeps_resting) return;
   for (std::size_t k = 0; k < count; ++k) {
     prefetch(&objects.latest.packed(view.objects[std::min(k + tuning::kPrefetchAhead, count - 1)]));
     marks[k] = is_same(view.boxes[k], objects.latest.packed(view.objects[k])) ? 0 : 1;
@@ -203,7 +203,7 @@ void KeptPairs<D>::clear() {
   resting_.clear();
   shift_.reset();
   drift_ = 0;
-  outdated_ = false;
+  sweep_all_ = false;
 }
 
 template <int D>
@@ -211,7 +211,7 @@ void KeptPairs<D>::shift(const Vector<D>& by, Scalar drift, Scalar slack) {
   shift_ = by;
   drift_ += drift;
   if (drift_ < slack_) return;
-  outdated_ = true;
+  sweep_all_ = true;
   slack_ = slack;
   drift_ = 0;
 }
@@ -248,7 +248,7 @@ void KeptPairs<D>::find(const Tree<D>& tree, const KeptObjects<D>& objects, Work
   for (const NodeId leaf : touched_) changes_[leaf.index()].clear();
   touched_.clear();
   shift_.reset();
-  outdated_ = false;
+  sweep_all_ = false;
 }
 
 /// The pairs of a leaf that is up to date.
@@ -280,20 +280,20 @@ void KeptPairs<D>::renew(const Tree<D>& tree, const Objects& objects, NodeId id,
   KeptLeaf<D>& leaf = leaves_[id];
   if (leaves_.has(tree, id) && leaf.swept && are_many(leaf.restless_entries, entries, true)) return;
   const bool patch_pays = changes.size() * tuning::kEntriesPerPatch <= entries;
-  if (outdated_ || leaf.swept || !leaves_.is_current(tree, id) || !patch_pays) {
+  if (sweep_all_ || leaf.swept || !leaves_.is_current(tree, id) || !patch_pays) {
     sweep(tree, objects, id, scratch);
   } else {
-    if (shift_) come_along(objects, leaf);
+    if (shift_) shift_leaf(objects, leaf);
     if (!changes.empty()) patch(objects, changes, scratch);
   }
   if (are_many(leaf.restless.size(), entries, false)) begin_sweeping(leaf, leaf.restless.size());
 }
 
-/// What overlapped still does; rounding may have let others touch.
+/// What overlapped still does. Near pairs that touch now, by rounding, become resting pairs.
 template <int D>
-void KeptPairs<D>::come_along(const Objects& objects, KeptLeaf<D>& leaf) const {
+void KeptPairs<D>::shift_leaf(const Objects& objects, KeptLeaf<D>& leaf) const {
   leaf.bytes.origin = moved(leaf.bytes.origin, PackedBox<D>({*shift_, *shift_}));
-  leaf.outdated = true;
+  leaf.bytes_stale = true;
   std::erase_if(leaf.near, [&](const Pair& pair) {
     const bool touch = overlaps(objects.fat.packed(pair.a), objects.fat.packed(pair.b));
     if (touch) leaf.resting.push_back(pair);

@@ -30,7 +30,7 @@ struct KeptObjects {
   const ObjectTable<D>& fat;
   const ObjectTable<D>& latest;
   std::span<const ObjectFlags> flags;  ///< restless: kUnrequested
-  bool some_rest;                      ///< pairs of objects without fat are kept apart, and not tested
+  bool keeps_resting;                  ///< pairs of objects without fat are kept apart, and not tested
   bool far = false;                    ///< most of the latest boxes are not in a core's own cache
 
   [[nodiscard]] bool is_restless(ObjectId object) const {
@@ -38,7 +38,7 @@ struct KeptObjects {
   }
   /// Whether pairs of the object must be tested in each step (see KeptLeaf).
   [[nodiscard]] bool has_fat(ObjectId object) const {
-    return !some_rest || !is_same(fat.packed(object), latest.packed(object));
+    return !keeps_resting || !is_same(fat.packed(object), latest.packed(object));
   }
 };
 
@@ -71,8 +71,8 @@ class KeptPairs {
   /// Call it before placement with the number of restless entries of the leaf.
   void note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count);
   /// Call it before placement if the tree's boxes moved by the vector, each number rounded. `drift`: by how
-  /// much gaps may have shrunk. What is kept holds on as long as all that gaps may have shrunk is less than
-  /// the slack that its leaves have; else all are swept in the next `find`, and have this `slack`.
+  /// much gaps may have shrunk. As soon as all drifts together reach the slack of the leaves, the next `find`
+  /// sweeps all of them, with this new `slack`.
   void shift(const Vector<D>& by, Scalar drift, Scalar slack);
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
@@ -86,7 +86,7 @@ class KeptPairs {
   using Changes = std::span<const EntryChange>;
   using Objects = KeptObjects<D>;
   void renew(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
-  void come_along(const Objects& objects, KeptLeaf<D>& leaf) const;
+  void shift_leaf(const Objects& objects, KeptLeaf<D>& leaf) const;
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
   void drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch);
   void sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
@@ -98,9 +98,9 @@ class KeptPairs {
   std::vector<NodeId> touched_;                    ///< leaves that have changes
   RestingPairs<D> resting_;
   std::optional<Vector<D>> shift_;  ///< of the next `find`
-  Scalar slack_ = 0;                ///< resting pairs with a gap up to this are listed, too
+  Scalar slack_ = 0;                ///< pairs with a gap up to this are listed, too: as candidates, or `near`
   Scalar drift_ = 0;                ///< by how much gaps may have shrunk since
-  bool outdated_ = false;           ///< all leaves are swept in the next `find`
+  bool sweep_all_ = false;          ///< all leaves are swept in the next `find`
 };
 
 }  // namespace kerf

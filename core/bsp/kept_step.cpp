@@ -11,6 +11,7 @@
 #include "core/tree/placement.h"
 
 namespace kerf {
+
 template <int D>
 template <class Trace>
 std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Reporter<Trace>& reporter) {
@@ -30,7 +31,7 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
   }
   follow_restless(step);
   make_fat_boxes(step);
-  if (!step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
+  if (!step.requests.changed_exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
     return place_changed(step, reporter);
   const bool many_stay = may_stay(step);
   take_fat_boxes(step);
@@ -55,7 +56,8 @@ Box<D> KeptStep<D>::make_fat_box(const StepContext<D>& step, ObjectId object, co
   return fatten(box, before, skin, step.config.skin, fat_share(object.value));
 }
 
-/// Gives fat boxes to all objects, by their motions since the tree's boxes.
+/// Gives fat boxes to all objects, by their motions since the tree's boxes: if a shift could not be followed,
+/// by the way from their old fat boxes.
 template <int D>
 void KeptStep<D>::make_all_fat(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();
@@ -95,9 +97,9 @@ void KeptStep<D>::list_sleepers(const StepContext<D>& step) {
     Skin& skin = skins_[id];
     const std::uint16_t seen = fingerprint(box);
     if (skin.is_unmoved(seen)) {
-      step.requests.add(object, flag::kChanged | flag::kAtRest, box);
+      step.requests.list_unasked(object, flag::kChanged | flag::kAtRest, box);
     } else if (skin.is_at_rest(step.number) && is_for_flight(fat.box(object), latest.box(object))) {
-      step.requests.add(object, flag::kChanged | flag::kWrapAnew, box);
+      step.requests.list_unasked(object, flag::kChanged | flag::kWrapAnew, box);
     }
     skin.look(seen);
   }
@@ -110,7 +112,7 @@ void KeptStep<D>::follow_restless(const StepContext<D>& step) {
   restless_pass_.run(step.tree, {step.requests.latest(), skins_, std::as_const(step.requests).flags()}, kept_,
                      step.pool());
   for (const ObjectId object : restless_pass_.others())
-    step.requests.add(object, flag::kChanged | flag::kUnrequested, step.tree.table.packed(object));
+    step.requests.list_unasked(object, flag::kChanged | flag::kUnrequested, step.tree.table.packed(object));
   cost_ = restless_pass_.cost();
 }
 

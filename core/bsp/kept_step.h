@@ -20,8 +20,8 @@ namespace kerf {
 template <int D>
 class KeptStep {
  public:
-  /// Brings the entries up to date with the requests. `begins`: the tree's table has tight boxes so far.
-  /// Returns how many objects were placed anew.
+  /// Brings the entries up to date with the requests. `begins`: all objects get fat boxes, whether the tree's
+  /// table has fat or tight ones. Returns how many objects were listed or placed.
   template <class Trace>
   std::uint64_t place(const StepContext<D>& step, bool begins, Reporter<Trace>& reporter);
   /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate by

@@ -10,8 +10,8 @@ namespace kerf {
 
 /// Returns the number of objects that stay.
 template <int D>
-std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes,
-                                       Leavers& leavers) const {
+std::size_t LeaverPass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes,
+                                        Leavers& leavers) const {
   Node<D>& node = tree[leaf];
   const std::size_t count = node.entries.size();
   const Stayed done = stay_in_cell<D>({
@@ -31,7 +31,7 @@ std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>&
 }
 
 template <int D>
-void LeavePass<D>::run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes) {
+void LeaverPass<D>::run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes) {
   stayed_.assign(tree.slots(), 0);
   leaves_.clear();
   nodes_.clear();
@@ -60,7 +60,7 @@ void LeavePass<D>::run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes) {
 }
 
 template <int D>
-void LeavePass<D>::amend(const ObjectTable<D>& table, std::span<const ObjectId> came, bool boxes_wanted) {
+void LeaverPass<D>::amend(const ObjectTable<D>& table, std::span<const ObjectId> came, bool boxes_wanted) {
   auto& [objects, boxes] = leavers_.front();
   std::size_t left = 0;
   for (std::size_t k = 0; k < objects.size(); ++k) {
@@ -78,7 +78,7 @@ void LeavePass<D>::amend(const ObjectTable<D>& table, std::span<const ObjectId> 
   }
 }
 
-template class LeavePass<2>;
-template class LeavePass<3>;
+template class LeaverPass<2>;
+template class LeaverPass<3>;
 
 }  // namespace kerf

@@ -13,7 +13,7 @@ namespace kerf {
 
 /// Finds the objects that leave their leaves when boxes have moved. Its memory is kept between steps.
 template <int D>
-class LeavePass {
+class LeaverPass {
  public:
   /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
   /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are

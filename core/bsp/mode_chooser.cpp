@@ -72,8 +72,8 @@ void ModeChooser::count_leaving(const Leaving& leaving) {
 void ModeChooser::count_motions(const Motions& motions) {
   ++steps_;
   if (motions.fast < tuning::kFewFast) crowded_ = false;
-  const bool some_rest = motions.fast < tuning::many_fast(dimension_);
-  against_ = some_rest && motions.speed < tuning::kCoolSpeed ? against_ + 1 : 0;
+  const bool few_are_fast = motions.fast < tuning::many_fast(dimension_);
+  against_ = few_are_fast && motions.speed < tuning::kCoolSpeed ? against_ + 1 : 0;
 }
 
 /// Whether skins would last, as far as one step shows.

@@ -36,7 +36,7 @@ void find_leavers(const StepContext<D>& step, LeafBoxes<D>& boxes) {
   nowhere.lane.fill(std::numeric_limits<Scalar>::quiet_NaN());
   ObjectTable<D>& table = step.tree.table;
   const auto& [came, gone] = step.workers.traffic;
-  LeavePass<D>& pass = step.workers.leave_pass;
+  LeaverPass<D>& pass = step.workers.leaver_pass;
   for (const ObjectId object : gone) table.packed()[object.index()] = nowhere;
   pass.run(step.tree, step.pool(), boxes);
   for (const ObjectId object : gone) table.packed()[object.index()] = step.requests.latest().packed(object);
@@ -56,7 +56,7 @@ void place_boxes(const StepContext<D>& step, bool many_stay, LeafBoxes<D>& boxes
   Workers<D>& workers = step.workers;
   if (many_stay) {
     find_leavers(step, boxes);
-    stream(step.tree, workers.leave_pass, boxes, workers.stream_memory, step.pool());
+    stream(step.tree, workers.leaver_pass, boxes, workers.stream_memory, step.pool());
   } else {
     stream(step.tree, boxes, workers.stream_memory, step.pool());
   }

@@ -8,31 +8,16 @@
 
 namespace kerf {
 
-/// Lists an object as changed, unless the request was refused.
-template <int D>
-Status Requests<D>::note(ObjectId object, Status status, bool keeps) {
-  if (is_refused(status)) return status;
-  ++given_;
-  only_moves_ = false;
-  make_room();
-  ObjectFlags& flags = flags_[object.index()];
-  if ((flags & flag::kChanged) != 0) return status;
-  flags |= flag::kChanged;
-  changed_.push_back(object);
-  if (keeps) before_.push_back(latest_.packed(object));
-  return status;
-}
-
 template <int D>
 Status Requests<D>::move(ObjectId object, const Volume<D>& volume, const Receiver& tree) {
   if (kind() == VolumeKind::box && volume.kind == VolumeKind::box)
     return move_many({&object, 1}, {&volume.box, 1}, tree);
-  return note(object, latest_.move(object, volume), tree.keeps);
+  return change(object, tree.keeps, [&] { return latest_.move(object, volume); });
 }
 
 template <int D>
 Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
-  return note(object, latest_.remove(object), tree.keeps);
+  return change(object, tree.keeps, [&] { return latest_.remove(object); });
 }
 
 template <int D>
@@ -45,7 +30,8 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
     const DefaultFloats floats;
     Status first = Status::ok;
     for (std::size_t k = 0; k < objects.size(); ++k) {
-      const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), tree.keeps);
+      const Status status =
+          change(objects[k], tree.keeps, [&] { return latest_.move(objects[k], boxes[k]); });
       if (first == Status::ok) first = status;
     }
     return first;
@@ -72,7 +58,7 @@ Status Requests<D>::move_left_over(std::span<const ObjectId> objects, std::span<
       flags_[objects[k].index()] &= static_cast<ObjectFlags>(~flag::kDeferred);
     const bool only_moves = only_moves_;
     const bool was_placed = latest_.is_placed(objects[k]);
-    const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), keeps);
+    const Status status = change(objects[k], keeps, [&] { return latest_.move(objects[k], boxes[k]); });
     if (was_placed && latest_.is_placed(objects[k])) only_moves_ = only_moves;
     if (first == Status::ok) first = status;
   }
@@ -81,7 +67,7 @@ Status Requests<D>::move_left_over(std::span<const ObjectId> objects, std::span<
 }
 
 template <int D>
-void Requests<D>::add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before) {
+void Requests<D>::list_unasked(ObjectId object, ObjectFlags flags, const PackedBox<D>& before) {
   flags_[object.index()] = flags;
   changed_.push_back(object);
   before_.push_back(before);

@@ -6,6 +6,7 @@
 
 #include "core/base/append_buffer.h"
 #include "core/base/task_pool.h"
+#include "core/geometry/packed_box.h"
 #include "core/objects/object_flags.h"
 #include "core/objects/object_table.h"
 #include "core/objects/skin.h"
@@ -29,7 +30,7 @@ class Requests {
   // Of the caller.
   template <class Bound>
   Status insert(ObjectId object, const Bound& bound, Mobility mobility, const Receiver& tree) {
-    return note(object, latest_.insert(object, bound, mobility), tree.keeps);
+    return change(object, tree.keeps, [&] { return latest_.insert(object, bound, mobility); });
   }
   Status move(ObjectId object, const Volume<D>& volume, const Receiver& tree);
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, const Receiver& tree);
@@ -39,11 +40,12 @@ class Requests {
 
   // Of a step. The last call of each must be `finish_step`.
   [[nodiscard]] std::span<const ObjectId> changed() const { return changed_.all(); }
-  /// While pairs are kept: the boxes from which the changed objects moved, in the same order.
+  /// While pairs are kept: the boxes from which the changed objects moved, in the same order; of one that
+  /// came, its own.
   [[nodiscard]] std::span<const PackedBox<D>> before() const { return before_.all(); }
   [[nodiscard]] std::span<PackedBox<D>> before() { return before_.all(); }
   /// Whether more objects changed than this share of all.
-  [[nodiscard]] bool exceed(float share) const {
+  [[nodiscard]] bool changed_exceed(float share) const {
     return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
   }
   /// How many requests were accepted, some of them perhaps for one object, or for its box as it was.
@@ -52,8 +54,8 @@ class Requests {
   [[nodiscard]] bool are_moves() const { return only_moves_; }
   [[nodiscard]] std::span<ObjectFlags> flags() { return flags_; }
   [[nodiscard]] std::span<const ObjectFlags> flags() const { return flags_; }
-  /// Lists an object as changed though it was not requested.
-  void add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
+  /// Lists an object, with these flags, of which nothing was requested.
+  void list_unasked(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
   /// Takes those off the list that have no flag any more.
   void forget_unchanged();
   /// There are flags for all objects from now on.
@@ -73,7 +75,8 @@ class Requests {
   void restore(const ObjectTable<D>& latest, std::span<const Skin> skins);
 
  private:
-  Status note(ObjectId object, Status status, bool keeps);
+  template <class Change>
+  Status change(ObjectId object, bool keeps, Change change);
   Status move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, bool keeps);
   void settle(std::span<const Skin> skins, TaskPool& pool);
 
@@ -85,5 +88,24 @@ class Requests {
   std::size_t given_ = 0;
   bool only_moves_ = true;
 };
+
+/// Asks the table of the latest boxes for a change, and lists the object unless it is refused.
+template <int D>
+template <class Change>
+Status Requests<D>::change(ObjectId object, bool keeps, Change change) {
+  const bool was_placed = latest_.is_placed(object);
+  const PackedBox<D> before = was_placed ? latest_.packed(object) : PackedBox<D>{};
+  const Status status = change();
+  if (is_refused(status)) return status;
+  ++given_;
+  only_moves_ = false;
+  make_room();
+  ObjectFlags& flags = flags_[object.index()];
+  if ((flags & flag::kChanged) != 0) return status;
+  flags |= flag::kChanged;
+  changed_.push_back(object);
+  if (keeps) before_.push_back(was_placed ? before : latest_.packed(object));
+  return status;
+}
 
 }  // namespace kerf

@@ -7,6 +7,7 @@
 
 #include "core/base/median.h"
 #include "core/base/tuning.h"
+#include "core/bsp/common_motion.h"
 #include "core/bsp/sample_place.h"
 #include "core/kernels/prefetch.h"
 #include "core/objects/skin.h"
@@ -39,14 +40,14 @@ Scalar reach_of(const Box<D>& box) {
 }
 
 template <int D>
-PackedBox<D> vector_of(const StepContext<D>& step) {
+PackedBox<D> packed_shift(const StepContext<D>& step) {
   return PackedBox<D>({*step.shift, *step.shift});
 }
 
 /// The distance of two floats beside a number, or more.
 Scalar spacing(Scalar reach) { return reach * std::numeric_limits<Scalar>::epsilon(); }
 
-/// The size of most boxes, or less; 0 if there is none.
+/// The median size of a sample of the boxes; 0 if there is none.
 template <int D>
 Scalar typical_size(const ObjectTable<D>& table) {
   std::vector<double> sizes;
@@ -58,13 +59,14 @@ Scalar typical_size(const ObjectTable<D>& table) {
   return static_cast<Scalar>(median(std::move(sizes)));
 }
 
-/// Whether an object that went to `now` needs no more than that its fat box moves by the vector. One without
-/// fat goes on to have none.
+/// Whether the old fat box, moved by the vector, serves for the object that went to `now`. One without fat
+/// must fill it. Zeros of both signs are one number here.
 template <int D>
-bool comes_along(const PackedBox<D>& fat, const PackedBox<D>& before, const PackedBox<D>& now,
-                 const PackedBox<D>& by) {
+bool follows_shift(const PackedBox<D>& fat, const PackedBox<D>& before, const PackedBox<D>& now,
+                   const PackedBox<D>& by) {
   const PackedBox<D> there = moved(fat, by);
-  return is_same(fat, before) ? is_same(there, now) : contains(there, now);
+  const bool has_fat = !contains(before, fat);
+  return contains(there, now) && (has_fat || contains(now, there));
 }
 
 template <int D>
@@ -95,9 +97,9 @@ bool ShiftPass<D>::run(const StepContext<D>& step) {
   misplaced_.clear();
   reached_.clear();
   passed_.clear();
-  if (!measure(step)) return false;
+  if (!move_offsets(step) || !measure(step)) return false;
   find_left_behind(step);
-  let_go(step);
+  unlist_followers(step);
   swap_planes(step.tree);
   find_misplaced(step);
   if (!misplaced_.empty()) note_places(step);
@@ -118,19 +120,25 @@ Scalar ShiftPass<D>::slack() const {
   return slack > 2 * of_a_shift ? slack : 0;
 }
 
-/// Computes where the partitioners go, and how large coordinates and boxes are. Returns false if a number is
-/// not finite.
+/// Computes where the partitioners go. Returns false if an offset would not be finite.
 template <int D>
-bool ShiftPass<D>::measure(const StepContext<D>& step) {
+bool ShiftPass<D>::move_offsets(const StepContext<D>& step) {
   const Tree<D>& tree = step.tree;
   offsets_.assign(tree.slots(), 0);
   bool are_finite = true;
   for_each_node(tree, tree.root(), [&](NodeId id) {
     if (tree[id].is_leaf()) return;
-    const Scalar offset = tree[id].plane.offset + dot(tree[id].plane.normal, *step.shift);
+    const Scalar offset = shifted_offset(tree[id].plane, *step.shift);
     offsets_[id.index()] = offset;
     are_finite &= std::isfinite(offset);
   });
+  return are_finite;
+}
+
+/// Computes how large coordinates and boxes are. Returns false if a coordinate would not be finite.
+template <int D>
+bool ShiftPass<D>::measure(const StepContext<D>& step) {
+  const Tree<D>& tree = step.tree;
   pieces_.resize(std::max(pieces_.size(), step.pool().slices_of(tree.table.bound())));
   const std::size_t pieces =
       step.pool().for_slices(tree.table.bound(), [&](const Slice& slice, std::size_t piece) {
@@ -142,30 +150,31 @@ bool ShiftPass<D>::measure(const StepContext<D>& step) {
   PackedBox<D> all = nothing<D>();
   for (const Piece& piece : std::span(pieces_).first(pieces)) join(all, piece.all);
   reach_before_ = reach_of(all.unpack());
-  reach_after_ = reach_of(moved(all, vector_of(step)).unpack());
+  reach_after_ = reach_of(moved(all, packed_shift(step)).unpack());
   size_ = typical_size(tree.table);
-  return are_finite && std::isfinite(reach_after_);
+  return std::isfinite(reach_after_);
 }
 
-/// Objects that did not move, or not out of their fat boxes, are left behind if those go.
+/// Lists the objects of which nothing was requested, and which lie outside of their fat boxes when these
+/// move.
 template <int D>
 void ShiftPass<D>::find_left_behind(const StepContext<D>& step) {
   left_behind_.clear();
-  const PackedBox<D> by = vector_of(step);
+  const PackedBox<D> by = packed_shift(step);
   const std::span<const ObjectFlags> flags = std::as_const(step.requests).flags();
   const ObjectTable<D>& latest = step.requests.latest();
   const ObjectTable<D>& table = step.tree.table;
   for (std::uint32_t id = 0; id < flags.size(); ++id) {
     if (flags[id] != 0) continue;
     const PackedBox<D>& now = latest.packed({id});
-    if (!comes_along(table.packed({id}), now, now, by)) left_behind_.push_back({id});
+    if (!follows_shift(table.packed({id}), now, now, by)) left_behind_.push_back({id});
   }
 }
 
-/// Of the changed objects those that came along are changed no more; the others moved from where the shift
+/// Takes those that followed the shift off the list of changed objects. The others moved from where the shift
 /// alone would have brought them.
 template <int D>
-void ShiftPass<D>::let_go(const StepContext<D>& step) {
+void ShiftPass<D>::unlist_followers(const StepContext<D>& step) {
   Requests<D>& requests = step.requests;
   const bool are_moves = requests.are_moves();
   const ObjectTable<D>& latest = requests.latest();
@@ -180,11 +189,11 @@ void ShiftPass<D>::let_go(const StepContext<D>& step) {
     const PackedBox<D>* const now = latest.packed().data();
     PackedBox<D>* const before = requests.before().data();
     ObjectFlags* const flags = requests.flags().data();
-    const PackedBox<D> by = vector_of(step);
+    const PackedBox<D> by = packed_shift(step);
     for (std::size_t k = slice.begin; k < slice.end; ++k) {
       const std::size_t id = changed[k].index();
       if (flags[id] == flag::kChanged && (are_moves || stays(changed[k])) &&
-          comes_along(fat[id], before[k], now[id], by)) {
+          follows_shift(fat[id], before[k], now[id], by)) {
         flags[id] = 0;
       } else {
         before[k] = moved(before[k], by);
@@ -227,7 +236,7 @@ void ShiftPass<D>::find_misplaced_in(const StepContext<D>& step, NodeId leaf, Pi
   const Tree<D>& tree = step.tree;
   list_ancestors(tree, leaf, piece.ancestors);
   const PackedBox<D> cell = cell_of(tree, leaf);
-  const PackedBox<D> by = vector_of(step);
+  const PackedBox<D> by = packed_shift(step);
   const PackedBox<D>* const boxes = tree.table.packed().data();
   const std::span<const Entry> entries = tree[leaf].entries;
   for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -254,7 +263,7 @@ void ShiftPass<D>::note_places(const StepContext<D>& step) {
 template <int D>
 void ShiftPass<D>::move_table(const StepContext<D>& step) const {
   ObjectTable<D>& table = step.tree.table;
-  const PackedBox<D> by = vector_of(step);
+  const PackedBox<D> by = packed_shift(step);
   step.pool().for_slices(table.bound(), [&](const Slice& slice, std::size_t) {
     for (std::size_t id = slice.begin; id < slice.end; ++id)
       if (table.is_placed({static_cast<std::uint32_t>(id)}))
@@ -267,15 +276,15 @@ template <int D>
 void ShiftPass<D>::list_changed(const StepContext<D>& step) const {
   Requests<D>& requests = step.requests;
   for (const ObjectId object : left_behind_)
-    requests.add(object, flag::kChanged, requests.latest().packed(object));
+    requests.list_unasked(object, flag::kChanged, requests.latest().packed(object));
   for (const Misplaced& misplaced : misplaced_) {
     ObjectFlags& flags = requests.flags()[misplaced.object.index()];
     if ((flags & flag::kChanged) != 0) {
       flags |= flag::kMisplaced;
     } else {
       const ObjectFlags why = flags == flag::kUnrequested ? flag::kChanged | flag::kUnrequested : 0;
-      requests.add(misplaced.object, static_cast<ObjectFlags>(why | flag::kMisplaced),
-                   step.tree.table.packed(misplaced.object));
+      requests.list_unasked(misplaced.object, static_cast<ObjectFlags>(why | flag::kMisplaced),
+                            step.tree.table.packed(misplaced.object));
     }
   }
 }
@@ -286,8 +295,8 @@ void ShiftPass<D>::append_places(ObjectId object, std::vector<Reached>& reached,
   const auto at = std::ranges::lower_bound(misplaced_, object, {}, &Misplaced::object);
   const Misplaced begin = at == misplaced_.begin() ? Misplaced{} : *std::prev(at);
   const auto copy = [](const auto& from, std::size_t first, std::size_t end, auto& to) {
-    const auto all = std::span(from);
-    to.insert(to.end(), all.begin() + first, all.begin() + end);
+    const auto part = std::span(from).subspan(first, end - first);
+    to.insert(to.end(), part.begin(), part.end());
   };
   copy(reached_, begin.reached, at->reached, reached);
   copy(passed_, begin.passed, at->passed, passed);

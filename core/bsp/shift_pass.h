@@ -12,6 +12,7 @@
 
 namespace kerf {
 
+/// An ancestor of a leaf, as the leaf's entries must be compared with it.
 template <int D>
 struct LeafAncestor {
   Plane<D> plane;
@@ -20,11 +21,11 @@ struct LeafAncestor {
   bool is_right = false;  ///< the leaf lies right of it
 };
 
-/// The origin is moved while pairs are kept (see `common_motion`). Before anything else the tree moves with
-/// all boxes of its table. Rounding keeps the order of numbers: fat boxes go on to hold their boxes, pairs to
-/// overlap. But numbers that differed may have become equal, so that some objects are *misplaced*: they reach
-/// other leaves than those that have their entries. These, and all that did not come along, are the changed
-/// objects of the step from then on. Its memory is kept between steps.
+/// Moves partitioners and fat boxes by the common motion of a step in which pairs are kept (see
+/// `common_motion`). Rounding keeps the order of numbers: a fat box still holds its box, boxes that
+/// overlapped still do. But numbers that differed may become equal: an object may then reach other leaves
+/// than those that have its entries; it is *misplaced*. Afterwards the changed objects of the step are those
+/// that are misplaced, and those that did not follow the shift. Its memory is kept between steps.
 template <int D>
 class ShiftPass {
  public:
@@ -34,8 +35,8 @@ class ShiftPass {
   /// By how much a gap between two boxes may have shrunk by rounding, in units of length. It includes what
   /// rounding may have done to a gap that was measured before.
   [[nodiscard]] Scalar drift() const;
-  /// What gaps should be compared with, so that many a shift may follow: little as compared with the boxes.
-  /// 0 if rounding is not small as compared with them.
+  /// The slack that kept pairs should have: enough for `kShiftsOfSlack` shifts, but at most half of the
+  /// thickest skin of a typical object. 0 if that is hardly enough for one.
   [[nodiscard]] Scalar slack() const;
   /// Appends the leaves that have entries of a misplaced object, and all nodes on the way.
   void append_places(ObjectId object, std::vector<Reached>& reached, std::vector<NodeId>& passed) const;
@@ -47,17 +48,16 @@ class ShiftPass {
     std::vector<LeafAncestor<D>> ancestors;  ///< of one leaf
     std::vector<ObjectId> misplaced;         ///< an object perhaps in several places
   };
-  /// Where the places of a misplaced object end in the lists of all; they begin where those of the one before
-  /// end.
   struct Misplaced {
     ObjectId object;
-    std::size_t reached = 0;
-    std::size_t passed = 0;
+    std::size_t reached = 0;  ///< where its places end in `reached_`; they begin where those before it end
+    std::size_t passed = 0;   ///< the same in `passed_`
   };
 
+  bool move_offsets(const StepContext<D>& step);
   bool measure(const StepContext<D>& step);
   void find_left_behind(const StepContext<D>& step);
-  void let_go(const StepContext<D>& step);
+  void unlist_followers(const StepContext<D>& step);
   void swap_planes(Tree<D>& tree);
   void find_misplaced(const StepContext<D>& step);
   void find_misplaced_in(const StepContext<D>& step, NodeId leaf, Piece& piece) const;

@@ -27,7 +27,7 @@ struct Workers {
   ThreadUse threads;
   LeafPass<D> leaf_pass;
   Traffic traffic;
-  LeavePass<D> leave_pass;
+  LeaverPass<D> leaver_pass;
   StreamMemory stream_memory;
 };
 
@@ -39,7 +39,7 @@ struct StepContext {
   Requests<D>& requests;
   Workers<D>& workers;
   std::uint32_t number;              ///< of the step
-  std::optional<Vector<D>> shift{};  ///< by which the tree's partitioners moved, with nearly all objects
+  std::optional<Vector<D>> shift{};  ///< by which nearly all objects moved
 
   [[nodiscard]] TaskPool& pool() const { return workers.threads.pool(); }
 };

@@ -104,7 +104,7 @@ struct Some : ById<D> {
 /// order.
 template <int D>
 struct Leavers {
-  const LeavePass<D>& pass;
+  const LeaverPass<D>& pass;
 
   [[nodiscard]] std::size_t size() const { return pass.leavers().size(); }
   [[nodiscard]] ObjectId at(std::uint32_t place) const { return {pass.leavers()[place]}; }
@@ -332,7 +332,7 @@ void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& 
 }
 
 template <int D>
-void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
+void stream(Tree<D>& tree, const LeaverPass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
             TaskPool& pool) {
   give_back(memory, pass.leavers().size());
   const Some<D> by_id{{tree.table}, pass.leavers()};
@@ -346,7 +346,7 @@ void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, Stream
 
 #define KERF_INSTANTIATE(D)                                                   \
   template void stream<D>(Tree<D>&, LeafBoxes<D>&, StreamMemory&, TaskPool&); \
-  template void stream<D>(Tree<D>&, const LeavePass<D>&, LeafBoxes<D>&, StreamMemory&, TaskPool&);
+  template void stream<D>(Tree<D>&, const LeaverPass<D>&, LeafBoxes<D>&, StreamMemory&, TaskPool&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -49,7 +49,7 @@ template <int D>
 void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool);
 /// The same for the objects that left their leaves in the pass; the others stay.
 template <int D>
-void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
+void stream(Tree<D>& tree, const LeaverPass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
             TaskPool& pool);
 
 }  // namespace kerf

@@ -45,7 +45,7 @@ constexpr bool is_same(const PackedBox<D>& a, const PackedBox<D>& b) {
   return differ == 0;
 }
 
-/// `by` is a packed box whose ends are both the vector. As floats round.
+/// The box moved by a vector, `by` = PackedBox({vector, vector}); each sum is rounded.
 template <int D>
 constexpr PackedBox<D> moved(const PackedBox<D>& box, const PackedBox<D>& by) {
   PackedBox<D> result;

@@ -224,7 +224,7 @@ void move_entry(KeptLeaf<D>& leaf, std::size_t from, std::size_t to) {
 
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
-  leaf.outdated = false;
+  leaf.bytes_stale = false;
   leaf.objects.clear();
   leaf.apart.clear();
   leaf.resting.pairs.clear();
@@ -255,8 +255,8 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 template <int D>
 void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
                  std::vector<PackedBox<D>>& gathered) {
-  if (!leaf.outdated) return;
-  leaf.outdated = false;
+  if (!leaf.bytes_stale) return;
+  leaf.bytes_stale = false;
   gathered.clear();
   for (const std::uint32_t object : leaf.objects) gathered.push_back(boxes[object]);
   store<D>(gathered, 0, leaf);

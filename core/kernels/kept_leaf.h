@@ -32,14 +32,15 @@ enum class Names : std::uint8_t {
 template <int D>
 struct KeptLeaf {
   ByteScale<D> bytes;
-  bool outdated = false;  ///< the boxes moved with the scale since the entries' bytes were made
+  bool bytes_stale = false;  ///< the boxes moved with the scale since the entries' bytes were made
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  RestingList resting;           ///< pairs of objects without fat
-  std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
-  std::vector<Pair> near;        ///< of objects without fat, whose boxes a shift may let touch
+  RestingList resting;  ///< pairs of objects without fat
+  std::vector<Pair>
+      candidates;          ///< others, with fat boxes within the slack; the first is of the lower object
+  std::vector<Pair> near;  ///< of objects without fat, whose boxes a shift may let touch
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
   bool swept = false;  ///< nothing is kept, since too many are restless: the leaf is swept in each step
@@ -54,7 +55,7 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Makes the bytes of all entries anew if they are outdated. `boxes` is by object; `gathered` is room for
+/// Makes the bytes of all entries anew if they are stale. `boxes` is by object; `gathered` is room for
 /// those of the leaf.
 template <int D>
 void renew_bytes(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes, std::vector<PackedBox<D>>& gathered);

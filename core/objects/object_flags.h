@@ -11,7 +11,7 @@ using ObjectFlags = std::uint8_t;
 
 namespace flag {
 
-/// It is in the list of changed objects. Kernels set this bit.
+/// Its box or its fat box changes in this step: it is in the list of changed objects. Kernels set this bit.
 inline constexpr ObjectFlags kChanged = 1;
 /// It is absent or in quarantine: the tree has no entries of it.
 inline constexpr ObjectFlags kUnplaced = 2;
@@ -22,7 +22,7 @@ inline constexpr ObjectFlags kWasRestless = 8;
 /// It is in the list of changed objects though it was not moved: it rests, and loses its fat.
 inline constexpr ObjectFlags kAtRest = 16;
 /// It is in the list of changed objects, and its entries are not in the leaves that its box reaches: the
-/// origin was moved (see ShiftPass).
+/// origin was moved (see ShiftPass). Without kChanged its fat box is right already.
 inline constexpr ObjectFlags kMisplaced = 32;
 /// Its moves request nothing: its box is taken, and the tree follows it by itself. Restless objects have this
 /// bit while pairs are kept.

@@ -133,7 +133,7 @@ std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeK
   if (std::ranges::find(volume_kinds<D>(), kind) == volume_kinds<D>().end())
     throw std::invalid_argument("there is no volume '" + std::string(to_string(kind)) + "' in " +
                                 std::to_string(D) + "D");
-  const DefaultFloats floats;  // what is made is shared by all who ask
+  const DefaultFloats floats;  // the result is kept, and shared
   const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
   static MadeProjectors<D> made;
   return made.get(size, config.seed, kind);

@@ -180,12 +180,13 @@ WorldStatus World<D>::move_one(Handle object, Box<D> box) {
   return status;
 }
 
-/// Moves the objects in `ids_`: all, or none where memory ends, since the tree allocates before it takes any.
+/// Moves the objects in `ids_` to `fat_boxes_`: all, or none where memory ends, since the tree allocates
+/// before it takes any.
 template <int D>
-void World<D>::move_listed(std::span<const Box<D>> fat_boxes) {
+void World<D>::move_listed() {
   Change change(*this);
-  (void)tree_->move_many(ids_, fat_boxes);
-  unstepped_ |= !fat_boxes.empty();
+  (void)tree_->move_many(ids_, fat_boxes_);
+  unstepped_ |= !ids_.empty();
   change.finish();
 }
 
@@ -328,14 +329,14 @@ void World<D>::gather() {
     next_rows_.assign(all, slots_.size());
   } else {
     const UsualComparisons comparisons;
-    kept_.clear();
+    allowed_.clear();
     for (const Pair& pair : all) {
       if (!may_report(pair.a, pair.b)) continue;
       const bool is_sensor = defs_[pair.a.index()].kind == ObjectKind::sensor ||
                              defs_[pair.b.index()].kind == ObjectKind::sensor;
-      kept_.push_back({pair.a, {make_partner(pair.b.value, is_sensor).value}});
+      allowed_.push_back({pair.a, {make_partner(pair.b.value, is_sensor).value}});
     }
-    next_rows_.assign_flagged(kept_, slots_.size());
+    next_rows_.assign_flagged(allowed_, slots_.size());
   }
   if (callback_) next_rows_.filter([this](std::uint32_t a, Partner b) { return callback_(describe(a, b)); });
 }

@@ -66,7 +66,7 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 /// Bsp::set_threads).
 ///
 /// Throws std::bad_alloc if memory runs out. The world then stays usable, and of a batch each object was
-/// taken or was not.
+/// taken or was not. A world that was moved from can only be destroyed, assigned to or restored.
 template <int D>
 class World {
  public:
@@ -153,7 +153,7 @@ class World {
   WorldStatus move_one(Handle object, Box<D> box);
   WorldStatus remove_one(Handle object);
   bool list_moves(std::span<const Handle> objects, std::span<const Box<D>> boxes);
-  void move_listed(std::span<const Box<D>> fat_boxes);
+  void move_listed();
   void count(const ObjectDef& def, std::ptrdiff_t times);
   void rebuild();
   [[nodiscard]] bool may_report(ObjectId a, ObjectId b) const;
@@ -185,7 +185,7 @@ class World {
   std::vector<WorldPair> next_ended_;
   std::vector<ObjectId> ids_;      ///< of one call
   std::vector<Box<D>> fat_boxes_;  ///< of one call
-  std::vector<Pair> kept_;         ///< of one step: pairs that kinds and filters allow
+  std::vector<Pair> allowed_;      ///< of one step: pairs that kinds and filters allow
 };
 
 }  // namespace kerf

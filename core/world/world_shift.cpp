@@ -25,7 +25,7 @@ WorldStatus World<D>::shift_origin(const Vector<D>& by) {
     fat_boxes_.push_back(shifted(tree_->objects().box(id), by));
     in_range &= is_valid(shifted(exact_box(id), by));
   });
-  move_listed(fat_boxes_);
+  move_listed();
   if (margins_ > 0) {
     for (const ObjectId id : ids_) {
       if (!is_thick(defs_[id.index()].margin)) continue;

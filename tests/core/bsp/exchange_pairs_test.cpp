@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "core/bsp/bsp.h"
@@ -51,6 +52,22 @@ void give_all_away(const Config& config) {
 TYPED_TEST(ExchangePairs, GivesEachListAway) {
   give_all_away<TypeParam::value>(Config{});
   give_all_away<TypeParam::value>(tuned_config());
+}
+
+/// What is moved away is empty, and serves again.
+TYPED_TEST(ExchangePairs, ABufferThatWasMovedFromIsEmpty) {
+  Run<TypeParam::value> run(tuned_config());
+  PairBuffer buffer;
+  std::vector<PairBuffer> lists;
+  for (std::size_t step = 0; step < 5; ++step) {
+    run.step(0.01);
+    run.tree.exchange_pairs(buffer);
+    const std::size_t pairs = buffer.size();
+    EXPECT_GT(pairs, 0U);
+    lists.push_back(std::move(buffer));
+    EXPECT_EQ(buffer.size(), 0U);  // NOLINT(bugprone-use-after-move): that is what is tested
+    EXPECT_EQ(lists.back().size(), pairs);
+  }
 }
 
 }  // namespace

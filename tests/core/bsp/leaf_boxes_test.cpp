@@ -60,7 +60,7 @@ class LeavesWithBoxes : public testing::Test {
   }
   static void stream_leavers(Tree<T::value>& tree, LeafBoxes<T::value>& boxes, unsigned threads) {
     StreamMemory memory;
-    LeavePass<T::value> pass;
+    LeaverPass<T::value> pass;
     TaskPool pool(threads);
     pass.run(tree, pool, boxes);
     stream(tree, pass, boxes, memory, pool);

@@ -46,7 +46,7 @@ class Stream : public testing::Test {
   /// Returns how many left.
   static std::size_t stream_leavers_by(unsigned threads, Tree<T::value>& tree) {
     StreamMemory memory;
-    LeavePass<T::value> pass;
+    LeaverPass<T::value> pass;
     LeafBoxes<T::value> boxes;
     TaskPool pool(threads);
     pass.run(tree, pool, boxes);
@@ -145,7 +145,7 @@ TYPED_TEST(Stream, LeaversAreTheSameForAnyNumberOfThreads) {
 TYPED_TEST(Stream, WhatAllNeededIsGivenBackWhenFewLeave) {
   auto tree = TestFixture::grown(300, "0");
   StreamMemory memory;
-  LeavePass<TypeParam::value> pass;
+  LeaverPass<TypeParam::value> pass;
   LeafBoxes<TypeParam::value> boxes;
   TaskPool pool(1);
   stream(tree, boxes, memory, pool);

@@ -1,7 +1,6 @@
 // Entries and candidates of a leaf of which pairs are kept: they come, go and are filtered alike by every
 // kernel.
 
-#include "core/kernels/filter_candidates.h"
 #include "core/kernels/kept_leaf.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 
 #include "core/base/random.h"
 #include "core/kernels/byte_sweep.h"
+#include "core/kernels/filter_candidates.h"
 #include "core/kernels/machine.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"
@@ -169,7 +169,7 @@ TYPED_TEST(KeptLeaves, WhatComesAfterAShiftFindsItsPartners) {
       for (PackedBox<kD>& box : there.boxes) box = moved(box, by);
       const std::vector<PackedBox<kD>> boxes = by_object(there);
       leaf.bytes.origin = moved(leaf.bytes.origin, by);
-      leaf.outdated = true;
+      leaf.bytes_stale = true;
       std::vector<PackedBox<kD>> gathered;
       renew_bytes<kD>(leaf, boxes, gathered);
       append_entries(part_of(there, 200, 300), leaf);
