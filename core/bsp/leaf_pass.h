@@ -15,9 +15,11 @@ namespace kerf {
 /// The memory of one thread that looks for the pairs of leaves, kept between steps.
 template <int D>
 struct LeafScratch {
-  SweepBuffer<D> ordered;
+  SweepBuffer<D> ordered;  ///< of ordered leaves
+  // Of leaves that are swept, or keep pairs.
   LeafView<D> view;
   ByteSweep<D> byte_sweep;
+  // Of leaves that keep pairs.
   PairBuffer pairs;
   std::vector<PackedBox<D>> gathered;
   std::vector<std::uint8_t> marks;    ///< by object; all are 0 between leaves

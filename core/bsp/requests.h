@@ -80,7 +80,7 @@ class Requests {
   Status move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, bool keeps);
   void settle(std::span<const Skin> skins, TaskPool& pool);
 
-  ObjectTable<D> latest_;           ///< as the caller sees the objects; the tree's table follows in a step
+  ObjectTable<D> latest_;           ///< as the caller sees the objects; boxes of the tree's follow in a step
   std::vector<ObjectFlags> flags_;  ///< by object
   AppendBuffer<ObjectId> changed_;
   AppendBuffer<PackedBox<D>> before_;

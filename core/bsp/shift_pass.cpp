@@ -139,16 +139,15 @@ bool ShiftPass<D>::move_offsets(const StepContext<D>& step) {
 template <int D>
 bool ShiftPass<D>::measure(const StepContext<D>& step) {
   const Tree<D>& tree = step.tree;
-  pieces_.resize(std::max(pieces_.size(), step.pool().slices_of(tree.table.bound())));
-  const std::size_t pieces =
-      step.pool().for_slices(tree.table.bound(), [&](const Slice& slice, std::size_t piece) {
-        PackedBox<D> all = nothing<D>();
-        for (std::size_t id = slice.begin; id < slice.end; ++id)
-          if (tree.table.is_placed({static_cast<std::uint32_t>(id)})) join(all, tree.table.packed()[id]);
-        pieces_[piece].all = all;
-      });
+  around_.resize(step.pool().slices_of(tree.table.bound()));
+  step.pool().for_slices(tree.table.bound(), [&](const Slice& slice, std::size_t piece) {
+    PackedBox<D> all = nothing<D>();
+    for (std::size_t id = slice.begin; id < slice.end; ++id)
+      if (tree.table.is_placed({static_cast<std::uint32_t>(id)})) join(all, tree.table.packed()[id]);
+    around_[piece] = all;
+  });
   PackedBox<D> all = nothing<D>();
-  for (const Piece& piece : std::span(pieces_).first(pieces)) join(all, piece.all);
+  for (const PackedBox<D>& box : around_) join(all, box);
   reach_before_ = reach_of(all.unpack());
   reach_after_ = reach_of(moved(all, packed_shift(step)).unpack());
   size_ = typical_size(tree.table);

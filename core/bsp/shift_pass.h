@@ -42,9 +42,8 @@ class ShiftPass {
   void append_places(ObjectId object, std::vector<Reached>& reached, std::vector<NodeId>& passed) const;
 
  private:
-  /// Of one slice of objects or leaves.
+  /// Of one slice of leaves.
   struct Piece {
-    PackedBox<D> all;                        ///< around all boxes
     std::vector<LeafAncestor<D>> ancestors;  ///< of one leaf
     std::vector<ObjectId> misplaced;         ///< an object perhaps in several places
   };
@@ -68,7 +67,8 @@ class ShiftPass {
   std::vector<Scalar> offsets_;  ///< of the partitioners, by node: those that the tree does not have
   Scalar reach_before_ = 0;      ///< the largest coordinate of a box
   Scalar reach_after_ = 0;
-  Scalar size_ = 0;  ///< a typical one
+  Scalar size_ = 0;                   ///< a typical one
+  std::vector<PackedBox<D>> around_;  ///< all boxes of each slice of objects
   std::vector<Piece> pieces_;
   std::vector<ObjectId> left_behind_;
   std::vector<NodeId> leaves_;

@@ -21,7 +21,7 @@ struct Traffic {
   std::vector<ObjectId> gone;
 };
 
-/// The threads that share the work of a step, and their memory, kept between steps.
+/// The threads that share the work of a step, and the memory of its passes, kept between steps.
 template <int D>
 struct Workers {
   ThreadUse threads;

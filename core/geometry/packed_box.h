@@ -53,19 +53,29 @@ constexpr PackedBox<D> moved(const PackedBox<D>& box, const PackedBox<D>& by) {
   return result;
 }
 
-template <int D>
-constexpr bool contains(const PackedBox<D>& outer, const PackedBox<D>& inner) {
-  bool all = true;
-  for (std::size_t i = 0; i < outer.lane.size(); ++i) all &= outer.lane[i] <= inner.lane[i];
-  return all;
+/// Whether `test(lane)` holds for each lane. Written so that compilers compare whole vectors; no branch
+/// depends on a lane.
+template <int D, class Test>
+constexpr bool holds_in_all_lanes(Test test) {
+  std::array<std::uint32_t, std::size_t{2} * PackedBox<D>::kHalf> fails{};
+  for (std::size_t i = 0; i < fails.size(); ++i) fails[i] = test(i) ? 0U : ~0U;
+  using Words = std::array<std::uint64_t, sizeof(fails) / sizeof(std::uint64_t)>;
+  std::uint64_t any = 0;
+  for (const std::uint64_t word : std::bit_cast<Words>(fails)) any |= word;
+  return any == 0;
 }
 
 template <int D>
+constexpr bool contains(const PackedBox<D>& outer, const PackedBox<D>& inner) {
+  return holds_in_all_lanes<D>([&](std::size_t i) { return outer.lane[i] <= inner.lane[i]; });
+}
+
+/// Each lane meets the opposite end of the other box, half a vector away.
+template <int D>
 constexpr bool overlaps(const PackedBox<D>& a, const PackedBox<D>& b) {
   constexpr std::size_t kHalf = PackedBox<D>::kHalf;
-  bool all = true;
-  for (std::size_t i = 0; i < a.lane.size(); ++i) all &= a.lane[i] <= -b.lane[(i + kHalf) % a.lane.size()];
-  return all;
+  return holds_in_all_lanes<D>(
+      [&](std::size_t i) { return a.lane[i] <= -b.lane[(i + kHalf) % (2 * kHalf)]; });
 }
 
 }  // namespace kerf

@@ -22,13 +22,14 @@ constexpr Partner make_partner(std::uint32_t index, bool flagged) {
 }
 
 /// The pairs of a step, ordered: a row of partners for each object. Counting makes the rows, since indices
-/// are dense; each is sorted by itself.
+/// are dense; each is sorted by itself, unless its partners come as they came in the step before.
 class PairRows {
  public:
-  /// Objects have indices below `bound`. Throws std::bad_alloc for 2^32 pairs or more.
-  void assign(std::span<const Pair> pairs, std::size_t bound);
+  /// Objects have indices below `bound`. `before`: rows of which most may be the same. Throws std::bad_alloc
+  /// for 2^32 pairs or more.
+  void assign(std::span<const Pair> pairs, std::size_t bound, const PairRows& before = {});
   /// The same, with `b` of each pair the value of a Partner.
-  void assign_flagged(std::span<const Pair> pairs, std::size_t bound);
+  void assign_flagged(std::span<const Pair> pairs, std::size_t bound, const PairRows& before = {});
 
   [[nodiscard]] std::size_t size() const { return partners_.size(); }
   /// All rows, one behind the other.
@@ -42,18 +43,24 @@ class PairRows {
     return {partners_.data() + starts_[a], partners_.data() + starts_[a + 1]};
   }
   /// Whether the rows of some objects are those of the other's. False for rows that are not there.
-  [[nodiscard]] bool has_same(std::size_t begin, std::size_t end, const PairRows& other) const;
+  [[nodiscard]] bool has_same(std::size_t begin, std::size_t end, const PairRows& other) const {
+    return has_same(&PairRows::partners_, begin, end, other);
+  }
   /// Drops the pairs of which `keep(a, partner)` is false; asks in order.
   template <class Keep>
   void filter(Keep keep);
 
  private:
+  using Partners = std::vector<Partner>;
   template <unsigned Shift>
   void fill(std::span<const Pair> pairs, std::size_t bound);
-  void sort_rows();
+  void sort_rows(const PairRows& before);
+  [[nodiscard]] bool has_same(Partners PairRows::*partners, std::size_t begin, std::size_t end,
+                              const PairRows& other) const;
 
   std::vector<std::uint32_t> starts_;  ///< by object: where its row begins; one more at the end
-  std::vector<Partner> partners_;
+  Partners partners_;
+  Partners arrived_;  ///< the partners of each row in the order of the pairs; none after `filter`
 };
 
 template <class Keep>
@@ -68,6 +75,7 @@ void PairRows::filter(Keep keep) {
     begin = row_end;
   }
   partners_.resize(end);
+  arrived_.clear();
 }
 
 /// Calls `lost(a, k)` for each pair that only `before` has, `gained(a, i)` for each that only `now` has, in

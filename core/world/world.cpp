@@ -326,7 +326,7 @@ void World<D>::gather() {
   const std::span<const Pair> all = tree_->pairs();
   const bool is_exact = options_.pairs_of == PairsOf::fat_boxes || margins_ == 0;
   if (filters_ == 0 && sensors_ == 0 && is_exact) {
-    next_rows_.assign(all, slots_.size());
+    next_rows_.assign(all, slots_.size(), rows_);
   } else {
     const UsualComparisons comparisons;
     allowed_.clear();
@@ -336,7 +336,7 @@ void World<D>::gather() {
                              defs_[pair.b.index()].kind == ObjectKind::sensor;
       allowed_.push_back({pair.a, {make_partner(pair.b.value, is_sensor).value}});
     }
-    next_rows_.assign_flagged(allowed_, slots_.size());
+    next_rows_.assign_flagged(allowed_, slots_.size(), rows_);
   }
   if (callback_) next_rows_.filter([this](std::uint32_t a, Partner b) { return callback_(describe(a, b)); });
 }

@@ -22,8 +22,17 @@ WorldStatus World<D>::shift_origin(const Vector<D>& by) {
   for_each([&](Handle object) {
     const ObjectId id{object.index()};
     ids_.push_back(id);
-    fat_boxes_.push_back(shifted(tree_->objects().box(id), by));
-    in_range &= is_valid(shifted(exact_box(id), by));
+    const Box<D> box = tree_->objects().box(id);
+    Box<D>& fat = fat_boxes_.emplace_back();  // written in place: to copy it would wait for single floats
+    for (int axis = 0; axis < D; ++axis) {
+      fat.min[axis] = box.min[axis] + by[axis];
+      fat.max[axis] = box.max[axis] + by[axis];
+    }
+    if (margins_ == 0) {
+      in_range &= is_valid(fat);
+    } else {
+      in_range &= is_valid(shifted(exact_box(id), by));
+    }
   });
   move_listed();
   if (margins_ > 0) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,28 @@ TEST(PairRows, AreOrdered) {
       expected.emplace_back(pair.a.value, make_partner(pair.b.value, false).value);
     ASSERT_EQ(list(rows), expected);
     ASSERT_EQ(rows.size(), count);
+  }
+}
+
+/// In most rounds a few pairs are others than before, or come in another order; in some the rows before were
+/// filtered, or are of fewer objects.
+TEST(PairRows, AreOrderedWhateverWasBefore) {
+  Random random(3);
+  std::vector<Pair> pairs = random_pairs(random, 100, 300);
+  PairRows before;
+  for (int round = 0; round < 200; ++round) {
+    if (round % 10 == 0) pairs = random_pairs(random, 100, 300);
+    for (std::uint32_t k = random.below(5); k > 0; --k)
+      std::swap(pairs[random.below(300)], pairs[random.below(300)]);
+    const std::size_t count = 300 - random.below(3);
+    const std::uint32_t bound = 100 + random.below(20);
+    PairRows alone;
+    alone.assign(std::span(pairs).first(count), bound);
+    PairRows now;
+    now.assign(std::span(pairs).first(count), bound, before);
+    ASSERT_EQ(list(now), list(alone)) << "round " << round;
+    if (round % 7 == 6) now.filter([&](std::uint32_t a, Partner) { return a % 5 != 0; });
+    before = now;
   }
 }
 

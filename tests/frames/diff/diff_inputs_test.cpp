@@ -112,6 +112,13 @@ TEST_F(DiffInputs, OtherFilesMustBeTheSame) {
   }
 }
 
+TEST_F(DiffInputs, WhatIsHiddenIsSaidToBe) {
+  write(reference() / ".a.png", plain());
+  expect_refused(".a.png is a hidden file and has no partner");
+  fs::rename(reference() / ".a.png", reference() / "a");
+  expect_refused("a is no PNG and has no partner");
+}
+
 /// "a.ids.png" belongs to "a.png" only if there is a draw list, too.
 TEST_F(DiffInputs, APictureThatIsOnlyNamedLikeIdsIsAFrame) {
   write(reference() / "a.ids.png", plain());
