@@ -39,7 +39,9 @@ constexpr std::size_t kLeastOptions = offsetof(kerf_world_options, config) + siz
 constexpr std::size_t kLeastObject = offsetof(kerf_object, margin) + sizeof(float);
 constexpr std::size_t kLeastError = offsetof(kerf_error, text) + 16;
 
-constexpr kerf_status to_c(WorldStatus status) { return static_cast<kerf_status>(status); }
+constexpr kerf_status to_c(WorldStatus status) {
+  return status == WorldStatus::busy ? kerf_status{KERF_BUSY} : static_cast<kerf_status>(status);
+}
 
 /// Stands for whatever a callback of the caller's has thrown.
 struct CallbackThrew {};

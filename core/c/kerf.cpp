@@ -76,7 +76,7 @@ const char* kerf_status_text(kerf_status status) {
       return "a struct's size is not set, or a reserved member, or one that this version does not know, is "
              "not 0: use its init function";
     case KERF_BAD_OPTION:
-      return "an option cannot work: kerf_error says which";
+      return "an option cannot work: kerf_error, where the call takes one, says which";
     case KERF_SMALL_BUFFER:
       return "the memory for the result is too small: the size that is needed was written";
     case KERF_BUSY:
@@ -150,12 +150,9 @@ kerf_status kerf_world_save(const kerf_world* world, void* bytes, size_t capacit
 kerf_status kerf_world_restore(kerf_world* world, const void* bytes, size_t size, kerf_error* error) {
   if (is_missing(bytes, size)) return tell(error, KERF_NULL_ARGUMENT, {});
   std::string why;
-  const kerf_status restored = change_world(world, [&]<int D>(kerf::World<D>& body) {
-    kerf::WorldIndex<D> none;  // the other one is of other objects
+  const kerf_status restored = change_world(world, [&](auto& body) {
     const std::span<const std::uint8_t> view(static_cast<const std::uint8_t*>(bytes), size);
-    const kerf::WorldStatus status = body.restore(view, &why);
-    if (!is_failure(status)) std::get<kerf::WorldIndex<D>>(world->index) = std::move(none);
-    return kerf::c::to_c(status);
+    return kerf::c::to_c(body.restore(view, &why));
   });
   return tell(error, restored, why);
 }

@@ -10,7 +10,7 @@ namespace kerf {
 /// the handle of a removed object never names a later one. 64 bits, so that it fits where a pointer does.
 ///
 /// `value` is index | generation << 28 | tag << 56. Indices are dense: those of removed objects are used
-/// again.
+/// again. One that a step has seen is given only after the next step: read `ended()` before you insert.
 struct Handle {
   static constexpr unsigned kIndexBits = 28;
   static constexpr unsigned kGenerationBits = 28;

@@ -1,6 +1,8 @@
 #include "core/world/world.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "core/base/float_mode.h"
@@ -11,6 +13,12 @@ namespace {
 
 constexpr bool is_kind(ObjectKind kind) { return static_cast<int>(kind) < kObjectKinds; }
 constexpr Mobility mobility(ObjectKind kind) { return is_passive(kind) ? Mobility::fixed : Mobility::moving; }
+
+/// Of a batch that the pair callback asks for.
+WorldStatus refuse_all(std::span<WorldStatus> statuses) {
+  std::ranges::fill(statuses, WorldStatus::busy);
+  return WorldStatus::busy;
+}
 
 }  // namespace
 
@@ -39,8 +47,21 @@ World<D>::World(const WorldOptions& options)
   set_threads(options.threads, options.sharing);
 }
 
+/// For what returns no status.
+template <int D>
+void World<D>::throw_if_asking() const {
+  if (is_asking_) throw std::logic_error(std::string(to_string(WorldStatus::busy)));
+}
+
+template <int D>
+void World<D>::set_callback(PairCallback callback) {
+  throw_if_asking();
+  callback_ = std::move(callback);
+}
+
 template <int D>
 void World<D>::set_threads(unsigned threads, Sharing sharing) {
+  throw_if_asking();
   tree_->set_threads(threads, sharing);
   options_.threads = threads;
   options_.sharing = sharing;
@@ -85,6 +106,7 @@ WorldStatus World<D>::for_each_of(std::size_t count, std::span<WorldStatus> stat
 
 template <int D>
 typename World<D>::Inserted World<D>::insert(const Box<D>& box, const ObjectDef& def) {
+  if (is_asking_) return {WorldStatus::busy, {}};
   Change change(*this);
   Handle handle;
   const WorldStatus status = insert_one(box, def, handle);
@@ -99,6 +121,8 @@ WorldStatus World<D>::insert(std::span<const Box<D>> boxes, std::span<const Obje
       (!statuses.empty() && statuses.size() != boxes.size()))
     return WorldStatus::bad_length;
   std::ranges::fill(handles, Handle{});
+  if (boxes.empty()) return WorldStatus::ok;
+  if (is_asking_) return refuse_all(statuses);
   Change change(*this);
   const WorldStatus sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) {
     return insert_one(boxes[k], defs[defs.size() == 1 ? 0 : k], handles[k]);
@@ -137,11 +161,13 @@ WorldStatus World<D>::move(std::span<const Handle> objects, std::span<const Box<
                            std::span<WorldStatus> statuses) {
   if (objects.size() != boxes.size() || (!statuses.empty() && statuses.size() != boxes.size()))
     return WorldStatus::bad_length;
+  if (objects.empty()) return WorldStatus::ok;
+  if (is_asking_) return refuse_all(statuses);
   Change change(*this);
   WorldStatus sum = WorldStatus::ok;
   if (list_moves(objects, boxes)) {
     const Status status = tree_->move_many(ids_, boxes);
-    unstepped_ |= !boxes.empty();
+    unstepped_ = true;
     if (status != Status::ok || !statuses.empty())
       sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) {
         return is_valid(boxes[k]) ? WorldStatus::ok : WorldStatus::clamped;
@@ -198,6 +224,8 @@ WorldStatus World<D>::remove(Handle object) {
 template <int D>
 WorldStatus World<D>::remove(std::span<const Handle> objects, std::span<WorldStatus> statuses) {
   if (!statuses.empty() && statuses.size() != objects.size()) return WorldStatus::bad_length;
+  if (objects.empty()) return WorldStatus::ok;
+  if (is_asking_) return refuse_all(statuses);
   Change change(*this);
   const WorldStatus sum =
       for_each_of(objects.size(), statuses, [&](std::size_t k) { return remove_one(objects[k]); });
@@ -215,9 +243,16 @@ WorldStatus World<D>::remove_one(Handle object) {
   return WorldStatus::ok;
 }
 
+/// Whether a request about the object can be met.
+template <int D>
+WorldStatus World<D>::check(Handle object) const {
+  if (is_asking_) return WorldStatus::busy;
+  return slots_.contains(object) ? WorldStatus::ok : WorldStatus::stale_handle;
+}
+
 template <int D>
 WorldStatus World<D>::set_kind(Handle object, ObjectKind kind) {
-  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (const WorldStatus status = check(object); is_failure(status)) return status;
   if (!is_kind(kind)) return WorldStatus::bad_value;
   ObjectDef def = defs_[object.index()];
   Change change(*this);
@@ -238,7 +273,7 @@ WorldStatus World<D>::set_kind(Handle object, ObjectKind kind) {
 
 template <int D>
 WorldStatus World<D>::set_filter(Handle object, const PairFilter& filter) {
-  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (const WorldStatus status = check(object); is_failure(status)) return status;
   ObjectDef& def = defs_[object.index()];
   unstepped_ = true;
   count(def, -1);
@@ -249,14 +284,14 @@ WorldStatus World<D>::set_filter(Handle object, const PairFilter& filter) {
 
 template <int D>
 WorldStatus World<D>::set_user_data(Handle object, std::uint64_t user_data) {
-  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (const WorldStatus status = check(object); is_failure(status)) return status;
   defs_[object.index()].user_data = user_data;
   return WorldStatus::ok;
 }
 
 template <int D>
 WorldStatus World<D>::set_margin(Handle object, Scalar margin) {
-  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (const WorldStatus status = check(object); is_failure(status)) return status;
   if (!is_margin(margin)) return WorldStatus::bad_value;
   ObjectDef& def = defs_[object.index()];
   const ObjectId id{object.index()};
@@ -271,11 +306,6 @@ WorldStatus World<D>::set_margin(Handle object, Scalar margin) {
   unstepped_ = true;
   change.finish();
   return WorldStatus::ok;
-}
-
-template <int D>
-Box<D> World<D>::exact_box(ObjectId object) const {
-  return is_thick(defs_[object.index()].margin) ? exact_[object.index()] : tree_->objects().box(object);
 }
 
 template <int D>
@@ -296,18 +326,8 @@ std::optional<Box<D>> World<D>::fat_box(Handle object) const {
 }
 
 template <int D>
-bool World<D>::may_report(ObjectId a, ObjectId b) const {
-  if (filters_ > 0 && !may_pair(defs_[a.index()].filter, defs_[b.index()].filter)) return false;
-  return options_.pairs_of == PairsOf::fat_boxes || margins_ == 0 || overlaps(exact_box(a), exact_box(b));
-}
-
-template <int D>
-WorldPair World<D>::describe(std::uint32_t a, Partner b) const {
-  return {slots_.handle(a), slots_.handle(b.index()), b.is_flagged() ? WorldPair::kSensor : 0, 0};
-}
-
-template <int D>
 void World<D>::step() {
+  throw_if_asking();
   unstepped_ = true;  // also for the callback, and if memory ends
   {
     Change change(*this);
@@ -318,62 +338,6 @@ void World<D>::step() {
   report();
   slots_.finish_step();
   unstepped_ = false;
-}
-
-/// Orders the pairs that are reported in `next_rows_`.
-template <int D>
-void World<D>::gather() {
-  const std::span<const Pair> all = tree_->pairs();
-  const bool is_exact = options_.pairs_of == PairsOf::fat_boxes || margins_ == 0;
-  if (filters_ == 0 && sensors_ == 0 && is_exact) {
-    next_rows_.assign(all, slots_.size(), rows_);
-  } else {
-    const UsualComparisons comparisons;
-    allowed_.clear();
-    for (const Pair& pair : all) {
-      if (!may_report(pair.a, pair.b)) continue;
-      const bool is_sensor = defs_[pair.a.index()].kind == ObjectKind::sensor ||
-                             defs_[pair.b.index()].kind == ObjectKind::sensor;
-      allowed_.push_back({pair.a, {make_partner(pair.b.value, is_sensor).value}});
-    }
-    next_rows_.assign_flagged(allowed_, slots_.size(), rows_);
-  }
-  if (callback_) next_rows_.filter([this](std::uint32_t a, Partner b) { return callback_(describe(a, b)); });
-}
-
-/// Compares with the step before. What both steps have is copied: an index that is in pairs of both was not
-/// given to another object between them. Nothing that was reported changes before all memory is there.
-template <int D>
-void World<D>::report() {
-  next_begun_.clear();
-  next_ended_.clear();
-  next_pairs_.resize(next_rows_.size());
-  const std::span<const Partner> old = rows_.partners();
-  const std::span<const Partner> now = next_rows_.partners();
-  std::size_t seen = 0;
-  std::size_t made = 0;
-  const auto copy_until = [&](std::size_t place) {
-    const auto from = pairs_.begin() + static_cast<std::ptrdiff_t>(seen);
-    std::copy_n(from, place - made, next_pairs_.begin() + static_cast<std::ptrdiff_t>(made));
-    seen += place - made;
-    made = place;
-  };
-  compare_rows(
-      rows_, next_rows_,
-      [&](std::uint32_t a, std::size_t k) {
-        copy_until(made + (k - seen));
-        next_ended_.push_back(describe(a, old[seen++]));
-      },
-      [&](std::uint32_t a, std::size_t i) {
-        copy_until(i);
-        next_begun_.push_back(describe(a, now[i]));
-        next_pairs_[made++] = next_begun_.back();
-      });
-  copy_until(now.size());
-  std::swap(rows_, next_rows_);
-  pairs_.swap(next_pairs_);
-  begun_.swap(next_begun_);
-  ended_.swap(next_ended_);
 }
 
 template class World<2>;

@@ -23,6 +23,8 @@ namespace kerf {
 
 template <int D>
 class WorldCodec;
+template <int D>
+class WorldIndex;
 
 /// Whose overlap makes a pair. They differ only for objects with a margin.
 enum class PairsOf : std::uint8_t {
@@ -41,8 +43,9 @@ struct WorldOptions {
 };
 
 /// Asked in each step about each pair that kinds and filters allow, in the order of the report, on the thread
-/// that called `step()`; true reports the pair. It must not call the world's functions that are not const. An
-/// exception of it leaves through `step()`, and the reports stay those of the step before.
+/// that called `step()`; true reports the pair. Meanwhile the world refuses to change: what returns a status
+/// is `busy`, and what returns none throws std::logic_error. An exception leaves through `step()`, and the
+/// reports stay those of the step before: call `step()` again.
 using PairCallback = std::function<bool(const WorldPair&)>;
 
 /// A broad phase for programs: objects with handles, kinds, filters and user data in, begun, ended and all
@@ -107,7 +110,7 @@ class World {
   /// Makes a new fat box. `margin`: units of length, finite and not negative.
   WorldStatus set_margin(Handle object, Scalar margin);
   /// An empty function: no pair is asked about.
-  void set_callback(PairCallback callback) { callback_ = std::move(callback); }
+  void set_callback(PairCallback callback);
   /// Throws std::invalid_argument for 0, and for more than TaskPool::kMostThreads.
   void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster);
 
@@ -147,6 +150,8 @@ class World {
 
  private:
   class Change;
+  void throw_if_asking() const;
+  [[nodiscard]] WorldStatus check(Handle object) const;
   template <class Request>
   WorldStatus for_each_of(std::size_t count, std::span<WorldStatus> statuses, Request request);
   WorldStatus insert_one(Box<D> box, const ObjectDef& def, Handle& handle);
@@ -163,6 +168,7 @@ class World {
   void report();
 
   friend class WorldCodec<D>;
+  friend class WorldIndex<D>;
 
   WorldOptions options_;
   std::unique_ptr<Bsp<D>> tree_;
@@ -174,6 +180,8 @@ class World {
   std::ptrdiff_t sensors_ = 0;
   bool unstepped_ = false;  ///< there were requests since the last step
   bool torn_ = false;       ///< memory ended within a change of the tree
+  bool is_asking_ = false;  ///< the callback
+  std::shared_ptr<const int> identity_ = std::make_shared<const int>();  ///< another one after `restore`
   PairCallback callback_;
   PairRows rows_;       ///< of the last step
   PairRows next_rows_;  ///< of the present one

@@ -9,7 +9,7 @@ template <int D>
 class WorldIndex<D>::Acceptance {
  public:
   Acceptance(const WorldIndex& index, const World<D>& world, const WorldQueryFilter& filter)
-      : index_(index), world_(world), filter_(filter) {}
+      : index_(index), world_(world), filter_(filter), is_of_world_(index.of_ == world.identity_) {}
 
   [[nodiscard]] Filter filter() {
     Filter filter;
@@ -24,7 +24,7 @@ class WorldIndex<D>::Acceptance {
   [[nodiscard]] bool accepts(ObjectId object) const {
     const Handle handle = index_.handle(object);
     const ObjectDef* const def = world_.find(handle);
-    return def != nullptr && (filter_.kinds >> static_cast<unsigned>(def->kind) & 1U) != 0 &&
+    return is_of_world_ && def != nullptr && (filter_.kinds >> static_cast<unsigned>(def->kind) & 1U) != 0 &&
            (!filter_.filter || may_pair(*filter_.filter, def->filter)) &&
            (!filter_.accepts || filter_.accepts(handle));
   }
@@ -32,6 +32,7 @@ class WorldIndex<D>::Acceptance {
   const WorldIndex& index_;
   const World<D>& world_;
   const WorldQueryFilter& filter_;
+  bool is_of_world_;
 };
 
 /// Where memory ended within a change of the world, its tree may have objects that the world has not, or
@@ -58,6 +59,7 @@ void WorldIndex<D>::update(const World<D>& world) {
     index_.update(exact);
   }
   handles_.swap(next_handles_);
+  of_ = world.identity_;
 }
 
 template <int D>

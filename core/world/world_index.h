@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,8 +37,9 @@ struct WorldNeighbour {
 /// as given, fat boxes or not. A world without an index pays nothing.
 ///
 /// Answers are those for the boxes as they were in the last `update`; an object that was removed since is not
-/// found. Kinds and filters are those of the moment. Results are appended, ordered by index, t or distance; a
-/// query that is refused appends nothing.
+/// found. Nothing is found before the first `update`, nor between a `restore` of the world and the next one,
+/// nor in another world than that of the last one. Kinds and filters are those of the moment. Results are
+/// appended, ordered by index, t or distance; a query that is refused appends nothing.
 ///
 /// Threads: queries may run at the same time, while the world does not change. Each allocates its own memory.
 template <int D>
@@ -66,6 +68,7 @@ class WorldIndex {
   [[nodiscard]] Handle handle(ObjectId object) const { return handles_[object.index()]; }
 
   SpatialIndex<D> index_;
+  std::shared_ptr<const int> of_;     ///< the identity of its world
   std::vector<Handle> handles_;       ///< by index, as they were
   std::vector<Handle> next_handles_;  ///< of one update
 };

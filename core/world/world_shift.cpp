@@ -11,6 +11,7 @@ namespace kerf {
 /// there before an object moves.
 template <int D>
 WorldStatus World<D>::shift_origin(const Vector<D>& by) {
+  if (is_asking_) return WorldStatus::busy;
   for (const Scalar along : by.value)
     if (!std::isfinite(along)) return WorldStatus::bad_value;
   const DefaultFloats floats;

@@ -255,6 +255,10 @@ WorldStatus World<D>::save(std::vector<std::uint8_t>& bytes) const {
 
 template <int D>
 WorldStatus World<D>::restore(std::span<const std::uint8_t> bytes, std::string* why) {
+  if (is_asking_) {
+    if (why != nullptr) *why = to_string(WorldStatus::busy);
+    return WorldStatus::busy;
+  }
   try {
     const DefaultFloats floats;
     World restored = WorldCodec<D>::decode(bytes);

@@ -23,6 +23,8 @@ std::string_view to_string(WorldStatus status) {
       return "there are requests since the last step: step first";
     case WorldStatus::damaged:
       return "the bytes are no state that a world of this version and dimension wrote";
+    case WorldStatus::busy:
+      return "the pair callback of a world must not change it: wait until step() has returned";
   }
   return "no status of a world";
 }

@@ -17,6 +17,7 @@ enum class [[nodiscard]] WorldStatus : std::uint8_t{
     full,          ///< no index is free: `step()` frees those of removed objects
     unstepped,     ///< there are requests since the last `step()`: call it first
     damaged,       ///< the bytes are no state that a World of this version and dimension wrote
+    busy,          ///< asked for by the pair callback, while the step runs
 };
 
 constexpr bool is_failure(WorldStatus status) { return status > WorldStatus::clamped; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/base/random.h"
@@ -162,6 +163,32 @@ TYPED_TEST(WorldIndexOf, RemovedObjectsAreNotFoundNorMistaken) {
   ASSERT_EQ(this->index.overlaps(this->world, everything, found), QueryStatus::ok);
   EXPECT_TRUE(std::ranges::find(found, next) != found.end()) << "requests count at once";
   EXPECT_EQ(found, this->expected({}, [](const Box<kD>&) { return true; }));
+}
+
+TYPED_TEST(WorldIndexOf, NothingIsFoundAfterARestoreOrInAnotherWorldUntilAnUpdate) {
+  constexpr int kD = TypeParam::value;
+  const Box<kD> everything{all<kD>(-100), all<kD>(100)};
+  const auto found_in = [&](const World<kD>& asked) {
+    std::vector<Handle> found;
+    EXPECT_EQ(this->index.overlaps(asked, everything, found), QueryStatus::ok);
+    WorldHit hit;
+    const Cast<kD> cast = SweptBox<kD>{everything, all<kD>(1)};
+    EXPECT_EQ(this->index.first_hit(asked, cast, hit), QueryStatus::ok);
+    EXPECT_EQ(hit.object.is_none(), found.empty());
+    return found.size();
+  };
+  this->index.update(this->world);
+  World<kD> other;
+  (void)other.insert(box_at<kD>({}, 1));
+  EXPECT_EQ(found_in(other), 0U) << "its handle is that of an object of the first world";
+  EXPECT_EQ(found_in(this->world), 200U);
+  std::vector<std::uint8_t> state;
+  ASSERT_EQ(this->world.save(state), WorldStatus::ok);
+  ASSERT_EQ(this->world.restore(state), WorldStatus::ok);
+  EXPECT_EQ(found_in(this->world), 0U);
+  this->index.update(this->world);
+  World<kD> moved = std::move(this->world);
+  EXPECT_EQ(found_in(moved), 200U) << "it is the same world";
 }
 
 TYPED_TEST(WorldIndexOf, BadQueriesAreRefused) {
