@@ -25,9 +25,9 @@ namespace kerf {
 /// Callbacks are called for the pairs whose boxes (CollisionObject::getAABB) overlap as closed intervals, or
 /// are nearer than what `distance` has found so far: as fcl::NaiveCollisionManager does it, and for `collide`
 /// with one object, for which that one calls back with all, fcl::DynamicAABBTreeCollisionManager. As with
-/// FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the caller's, and
-/// must be unregistered before they end. Pairs come from the tree; what meets one object, or each of another
-/// manager, comes from an index beside it. `distance` to one object looks at the box of each.
+/// FCL's managers, call `computeAABB` of an object that moved, then `update`: after it, `collide` and
+/// `distance` may run at the same time. Unregister objects before they end. Pairs come from the tree; what
+/// meets one object comes from an index beside it, and `distance` to one looks at the box of each.
 template <typename S>
 class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
  public:
@@ -117,8 +117,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     for (const WorldPair& pair : world_.pairs()) {
       Object* const a = members_[pair.a.index()].object;
       Object* const b = members_[pair.b.index()].object;
-      if (a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) return;
-      if (!(least > 0)) return;
+      if ((a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) || !(least > 0)) return;
     }
     std::vector<Object*> sorted = objects_of(*this);
     std::ranges::sort(sorted, {}, [](const Object* object) { return object->getAABB().min_[0]; });
@@ -151,14 +150,15 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   void follow(Member& member) {
     const Box<3> box = to_box(member.object->getAABB());
     if (box == member.box) return;
+    stale_ = true;  // first: memory may end
     moves_.add(member.handle, box);
     index_->note({member.handle.index()});
     member.box = box;
-    stale_ = true;
   }
   void find_pairs() const {
+    if (!stale_) return;  // and changes nothing
     static_cast<void>(moves_.send(world_));
-    if (stale_) world_.step();
+    world_.step();
     stale_ = false;
   }
   /// `ours_first`: the order of a callback for two managers, as FCL's trees have it.

@@ -22,7 +22,7 @@ namespace kerf {
 /// The geoms are in no space of ODE's (dCreateSphere(nullptr, ...)), and stay the caller's: remove a geom
 /// before it is destroyed. The callback is called for pairs of enabled geoms whose boxes overlap, which are
 /// not of one body, and of which one's category bits meet the other's collide bits: ODE's rules. It must not
-/// add or remove geoms. All calls into ODE are made by the caller's thread.
+/// add or remove geoms, nor call `collide` again. All calls into ODE are made by the caller's thread.
 class OdeGeoms {
  public:
   /// Throws std::invalid_argument for options that World refuses.

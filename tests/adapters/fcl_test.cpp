@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,8 @@ class FclManagerTest : public testing::Test {
     object.setTranslation({random_.uniform(0, 9), random_.uniform(0, 9), random_.uniform(0, 9)});
     object.computeAABB();
   }
+
+  static constexpr int kQueries = 500'000;  ///< so many that each thread runs while the other one does
 
   Random random_{8};
   std::vector<std::unique_ptr<Object>> objects_;
@@ -230,6 +233,26 @@ TEST_F(FclManagerTest, OfTwoManagersOursComesFirstAsInFclsTree) {
   tree.distance(&others, &expected, near);
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found, Order(2, std::pair(here, there)));
+}
+
+TEST_F(FclManagerTest, QueriesOfTwoThreadsChangeNothing) {
+  for (int k = 0; k < 3; ++k) ours_.registerObject(make(30));
+  ours_.setup();
+  const void* const tree = &ours_.world().tree();
+  const auto ask = [this](int& calls) {
+    const auto count = [](Object*, Object*, void* data) { return ++*static_cast<int*>(data) < 0; };
+    for (int k = 0; k < kQueries; ++k) ours_.collide(&calls, count);
+  };
+  int first = 0;
+  int second = 0;
+  std::thread other([&] { ask(first); });
+  ask(second);
+  other.join();
+  EXPECT_EQ(first, 3 * kQueries);
+  EXPECT_EQ(second, 3 * kQueries);
+  EXPECT_EQ(&ours_.world().tree(), tree) << "the tree is not made anew";
+  std::vector<std::uint8_t> state;
+  EXPECT_EQ(ours_.world().save(state), WorldStatus::ok);
 }
 
 TEST_F(FclManagerTest, ACallbackEndsTheSearchAndTwiceIsRefused) {
