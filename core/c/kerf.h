@@ -8,7 +8,8 @@
  * Errors: KERF_OK and KERF_CLAMPED mean done; any other status says what is wrong, and nothing was done.
  * Nothing aborts, and no exception leaves the library. Requests of a batch are independent: those that can be
  * met are, statuses (or NULL) gets the status of each, and the function returns the first failure, else
- * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT, but for empty lists.
+ * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT, but for empty lists;
+ * that, KERF_BAD_LENGTH, KERF_BAD_SIZE and KERF_BUSY refuse a call as a whole, which then writes no statuses.
  *
  * Structs begin with their size, so that later versions can have more members: kerf_..._init() sets it, and
  * defaults. Reserved members must be 0, and so must those beyond the ones that the library knows; no struct
@@ -55,7 +56,7 @@ enum kerf_status_code {
   KERF_DAMAGED = 8,      /* the bytes are no state that a world of this version and dimension wrote */
   KERF_NULL_ARGUMENT = 64,
   KERF_BAD_SIZE = 65,     /* a struct's size is none, or members that this version does not know are not 0 */
-  KERF_BAD_OPTION = 66,   /* options that cannot work: kerf_error says which */
+  KERF_BAD_OPTION = 66,   /* an option cannot work: kerf_error, if the call takes one, says which */
   KERF_SMALL_BUFFER = 67, /* the caller's memory is too small: the size that is needed was written */
   KERF_BUSY = 68, /* called by a callback of the world, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
@@ -152,10 +153,10 @@ KERF_API kerf_status kerf_world_set_user_data(kerf_world* world, kerf_handle han
 KERF_API kerf_status kerf_world_set_margin(kerf_world* world, kerf_handle handle, float margin);
 
 /* Asked in each step about each pair that kinds and filters allow, in the order of the report, on the thread
- * of kerf_world_step; a result other than 0 reports the pair. */
+ * of kerf_world_step; a result other than 0 reports the pair. A callback of NULL: no pair is asked about. */
 typedef int (*kerf_pair_callback)(void* context, const kerf_pair* pair);
-/* NULL: no pair is asked about. */
 KERF_API kerf_status kerf_world_set_callback(kerf_world* world, kerf_pair_callback callback, void* context);
+/* KERF_BAD_OPTION for 0 and for more than 256. */
 KERF_API kerf_status kerf_world_set_threads(kerf_world* world, uint32_t threads);
 
 /* Meets all requests and makes the reports. */
@@ -166,13 +167,12 @@ KERF_API kerf_status kerf_world_pairs(const kerf_world* world, const kerf_pair**
 KERF_API kerf_status kerf_world_begun(const kerf_world* world, const kerf_pair** pairs, size_t* count);
 KERF_API kerf_status kerf_world_ended(const kerf_world* world, const kerf_pair** pairs, size_t* count);
 
-/* 2 or 3; 0 for NULL. */
+/* 2 or 3; how many objects there are; more than kerf_handle_index() of each handle. 0 for NULL. */
 KERF_API uint32_t kerf_world_dimension(const kerf_world* world);
-/* How many objects there are; 0 for NULL. */
 KERF_API size_t kerf_world_size(const kerf_world* world);
-/* More than kerf_handle_index() of each handle; 0 for NULL. */
 KERF_API size_t kerf_world_bound(const kerf_world* world);
-/* For arrays of the caller's, one element an object: indices are dense, and used again. */
+/* For arrays of the caller's, one element an object: indices are dense, and used again; one that a step has
+ * seen, only after the next step: read the pairs that ended before you insert. */
 KERF_API uint32_t kerf_handle_index(kerf_handle handle);
 /* KERF_OK or KERF_STALE_HANDLE. */
 KERF_API kerf_status kerf_world_contains(const kerf_world* world, kerf_handle handle);

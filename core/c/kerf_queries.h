@@ -2,8 +2,8 @@
  * margin or not; all are closed, and answers are exact.
  *
  * Answers are those for the boxes as they were in the last kerf_world_update_index(); an object that was
- * removed since is not found. Kinds and filters are those of the moment. A world that is never asked pays
- * nothing.
+ * removed since is not found. Before the first one, and after a restore until the next one, nothing is found.
+ * Kinds and filters are those of the moment. A world that is never asked pays nothing.
  *
  * Lists: count gets how many were found. The first ones are written, as many as capacity allows; if that is
  * not all of them, the status is KERF_SMALL_BUFFER, or KERF_OK with a capacity of 0. */

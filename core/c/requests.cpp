@@ -21,6 +21,8 @@ class Statuses {
       throw;
     }
   }
+  /// The batch is refused as a whole: they stay as they are.
+  void leave() { from_.clear(); }
   ~Statuses() {
     std::ranges::transform(from_, to_, [](WorldStatus status) {
       return status == kUnknown ? kerf_status{KERF_OUT_OF_MEMORY} : to_c(status);
@@ -68,13 +70,17 @@ using kerf::c::is_missing;
 kerf_status kerf_world_insert(kerf_world* world, const float* boxes, const kerf_object* objects,
                               size_t object_count, size_t count, kerf_handle* handles,
                               kerf_status* statuses) {
+  if (handles != nullptr) std::fill_n(handles, count, kerf_handle{0});  // also if nothing can be tried
   if (is_missing(boxes, count) || is_missing(objects, object_count) || is_missing(handles, count))
     return KERF_NULL_ARGUMENT;
   if (object_count > 1 && object_count != count) return KERF_BAD_LENGTH;
   return change_world(world, [=]<int D>(kerf::World<D>& body) {
-    const kerf_status status = kerf::c::read_objects(objects, object_count, world->defs);
-    if (status != KERF_OK) return status;
     kerf::c::Statuses to(*world, statuses, count);
+    const kerf_status status = kerf::c::read_objects(objects, object_count, world->defs);
+    if (status != KERF_OK) {
+      to.leave();
+      return status;
+    }
     return kerf::c::to_c(body.insert(kerf::c::view<const kerf::Box<D>>(boxes, count), world->defs,
                                      kerf::c::view<kerf::Handle>(handles, count), to.room()));
   });

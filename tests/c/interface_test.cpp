@@ -245,6 +245,7 @@ TEST(CInterface, StructsHaveTheSizeOfTheirVersion) {
   found.size = sizeof found;
   EXPECT_EQ(kerf_world_get_object(world.get(), handles[1], &found), KERF_OK);
   EXPECT_EQ(found.user_data, kSome) << "objects lie as far apart as their size says";
+  const kerf_handle first = handles[0];
   later[1].more = 1;
   EXPECT_EQ(insert(), KERF_BAD_SIZE) << "a member that this version does not know";
   later[1].more = 0;
@@ -255,7 +256,7 @@ TEST(CInterface, StructsHaveTheSizeOfTheirVersion) {
   LaterObject wide{};
   wide.object.size = sizeof wide;
   wide.more = kSome;
-  EXPECT_EQ(kerf_world_get_object(world.get(), handles[0], &wide.object), KERF_OK);
+  EXPECT_EQ(kerf_world_get_object(world.get(), first, &wide.object), KERF_OK);
   EXPECT_EQ(wide.more, 0U);
   EXPECT_EQ(wide.object.size, sizeof wide);
 }

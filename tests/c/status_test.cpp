@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "core/c/kerf.h"
@@ -41,6 +42,51 @@ TEST(CInterface, OptionsThatCannotWorkAreNamed) {
   EXPECT_NE(why([](auto& options) { options.threads = 257; }).find("at most 256"), std::string::npos);
   EXPECT_NE(why(nothing, 4).find("dimension"), std::string::npos);
   EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
+}
+
+/// What a callback saw of a batch.
+struct Refused {
+  kerf_world* world;
+  std::array<kerf_handle, 2> handles{9, 9};
+  std::array<kerf_status, 2> statuses{-1, -1};
+};
+
+TEST(CInterface, ARefusedInsertWritesNoHandlesAndNoStatuses) {
+  kerf_world* world = nullptr;
+  ASSERT_EQ(kerf_world_create(2, nullptr, &world, nullptr), KERF_OK);
+  const std::array<float, 8> boxes{0, 0, 1, 1, 0, 0, 1, 1};
+  std::array<kerf_object, 3> objects{};
+  for (kerf_object& object : objects) ASSERT_EQ(kerf_object_init(&object, sizeof object), KERF_OK);
+  const auto insert = [&](kerf_world* into, const float* of, std::size_t object_count) {
+    Refused refused{into};
+    const kerf_status status = kerf_world_insert(into, of, objects.data(), object_count, 2,
+                                                 refused.handles.data(), refused.statuses.data());
+    EXPECT_EQ(refused.handles, (std::array<kerf_handle, 2>{0, 0}));
+    EXPECT_EQ(refused.statuses, (std::array<kerf_status, 2>{-1, -1}));
+    return status;
+  };
+  EXPECT_EQ(insert(nullptr, boxes.data(), 1), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(insert(world, nullptr, 1), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(insert(world, boxes.data(), 3), KERF_BAD_LENGTH);
+  objects[1].size = 4;
+  EXPECT_EQ(insert(world, boxes.data(), 2), KERF_BAD_SIZE);
+
+  std::array<kerf_handle, 2> handles{};
+  EXPECT_EQ(kerf_world_insert(world, boxes.data(), nullptr, 0, 2, handles.data(), nullptr), KERF_OK);
+  Refused refused{world};
+  const auto ask = [](void* context, const kerf_pair*) {
+    Refused& self = *static_cast<Refused*>(context);
+    const std::array<float, 8> two{};
+    EXPECT_EQ(
+        kerf_world_insert(self.world, two.data(), nullptr, 0, 2, self.handles.data(), self.statuses.data()),
+        KERF_BUSY);
+    return 1;
+  };
+  EXPECT_EQ(kerf_world_set_callback(world, ask, &refused), KERF_OK);
+  EXPECT_EQ(kerf_world_step(world), KERF_OK);
+  EXPECT_EQ(refused.handles, (std::array<kerf_handle, 2>{0, 0}));
+  EXPECT_EQ(refused.statuses, (std::array<kerf_status, 2>{-1, -1}));
+  kerf_world_destroy(world);
 }
 
 TEST(CInterface, AnErrorIsThatOfTheLastCall) {
