@@ -24,6 +24,7 @@ dimension   2 or 3
 pairs_of    'fat': pairs of the boxes with their margins; 'exact': of the boxes as given
 config      parameters of the tree that differ: a dict, or 'name=value,...'
 threads     how many may share a step, and do if that is faster
+tag         0 to 255, part of each handle: worlds with different tags refuse each other's handles
 
 Boxes are taken as by kerf.BroadPhase. An object is used by one thread at a time.)";
 
@@ -40,10 +41,20 @@ user_data   64 bits of yours
 
 All but boxes are one value for all, or (n,). Raises ValueError that names the row; then nothing has been added.)";
 
-bool exact_boxes(const std::string& pairs_of) {
-  if (pairs_of == "exact") return true;
-  if (pairs_of == "fat") return false;
-  throw py::value_error("pairs_of: '" + pairs_of + "' is neither 'fat' nor 'exact'");
+PairsOf pairs_of_name(const std::string& name) {
+  if (name == "exact") return PairsOf::exact_boxes;
+  if (name == "fat") return PairsOf::fat_boxes;
+  throw py::value_error("pairs_of: '" + name + "' is neither 'fat' nor 'exact'");
+}
+
+std::unique_ptr<PythonWorld> world_from(int dimension, const std::string& pairs_of, const py::object& config,
+                                        unsigned threads, int tag) {
+  if (tag < 0 || tag > UINT8_MAX)
+    throw py::value_error("tag: it is " + std::to_string(tag) + ", but must be from 0 to 255");
+  return make_world(dimension, {.config = config_from(tuned_config(), config),
+                                .pairs_of = pairs_of_name(pairs_of),
+                                .threads = threads,
+                                .tag = static_cast<std::uint8_t>(tag)});
 }
 
 void bind_requests(py::class_<PythonWorld>& type) {
@@ -63,9 +74,9 @@ void bind_requests(py::class_<PythonWorld>& type) {
            "boxes     (n, 2, d): rows of a lower and an upper corner\n\n"
            "Raises ValueError that names the row; then nothing has moved.")
       .def("shift_origin", &PythonWorld::shift_origin, py::arg("by"),
-           "Moves every object by the vector (d,), as float32 rounds: for a floating origin. The tree comes "
-           "along.\n"
-           "Raises ValueError if the vector is not finite.")
+           "Moves every object by the vector (d,), as float32 rounds: for a floating origin. The tree comes\n"
+           "along. Raises ValueError if the vector is not finite, or would take a box beyond the range of\n"
+           "float32; then nothing has moved.")
       .def("remove", &PythonWorld::remove, py::arg("handles"),
            "Removes objects, (n,) uint64. Their pairs end in the next step; their handles name nothing from\n"
            "now on. Raises ValueError for a handle that names no object or comes twice; then nothing has "
@@ -94,7 +105,7 @@ void bind_reports(py::class_<PythonWorld>& type) {
       .def_property_readonly(
           "ended", &PythonWorld::ended,
           "Those of the step before that the last one does not have: (m, 2) uint64; handles of\n"
-          "removed objects among them.")
+          "removed objects among them. Their indices are given again: read it before the next insert.")
       .def_property_readonly("of_sensor", &PythonWorld::of_sensor,
                              "Which of pairs have a sensor: (m,) bool, in their order.")
       .def_property_readonly("handles", &PythonWorld::handles, "All objects, by index: (n,) uint64.")
@@ -113,8 +124,8 @@ void bind_reports(py::class_<PythonWorld>& type) {
            "Everything but the threads, as bytes. Raises RuntimeError unless a step followed the last "
            "request.")
       .def("restore", &PythonWorld::restore, py::arg("state"),
-           "Becomes the world that was saved, and goes on exactly as that one. Raises ValueError for other "
-           "bytes.")
+           "Becomes the world that was saved, with its pairs, begun, ended and tag, and goes on exactly as\n"
+           "that one. Raises ValueError for other bytes.")
       .def("__len__", &PythonWorld::size);
 }
 
@@ -123,13 +134,8 @@ void bind_reports(py::class_<PythonWorld>& type) {
 void bind_world(py::module_& module) {
   register_world_rows();
   py::class_<PythonWorld> type(module, "World", kWorldClass);
-  type.def(py::init(
-               [](int dimension, const std::string& pairs_of, const py::object& config, unsigned threads) {
-                 return make_world(dimension, config_from(tuned_config(), config), exact_boxes(pairs_of),
-                                   threads);
-               }),
-           py::arg("dimension"), py::kw_only(), py::arg("pairs_of") = "fat", py::arg("config") = py::none(),
-           py::arg("threads") = 1)
+  type.def(py::init(&world_from), py::arg("dimension"), py::kw_only(), py::arg("pairs_of") = "fat",
+           py::arg("config") = py::none(), py::arg("threads") = 1, py::arg("tag") = 0)
       .def("__repr__",
            [](const PythonWorld& world) {
              return "<kerf.World: " + std::to_string(world.dimension()) + "D, " +

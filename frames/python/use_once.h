@@ -11,8 +11,8 @@ class UseOnce {
   explicit UseOnce(bool& in_use) : in_use_(in_use) {
     if (in_use_)
       throw std::runtime_error(
-          "another thread is using this object: give each thread its own, or take turns with a "
-          "threading.Lock");
+          "this object is in use by another thread, or by the call that asked for these numbers: give each "
+          "thread its own, or take turns with a threading.Lock");
     in_use_ = true;
   }
   ~UseOnce() { in_use_ = false; }

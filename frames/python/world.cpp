@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/float_mode.h"
 #include "core/world/world.h"
+#include "core/world/world_boxes.h"
 #include "frames/python/arrays.h"
 #include "frames/python/use_once.h"
 #include "frames/python/world_columns.h"
@@ -97,6 +99,7 @@ class WorldOf final : public PythonWorld {
       throw py::value_error("by: give a finite number for each of the " + std::to_string(D) + " axes");
     std::transform(numbers.data(), numbers.data() + D, vector.value.begin(),
                    [](double x) { return static_cast<Scalar>(x); });
+    check_range(vector);
     check_status(world_.shift_origin(vector));
   }
 
@@ -196,6 +199,16 @@ class WorldOf final : public PythonWorld {
   }
 
  private:
+  /// What would be clamped is refused: boxes that end at the same place would be pairs for ever.
+  void check_range(const Vector<D>& by) const {
+    const DefaultFloats floats;
+    world_.for_each([&](Handle handle) {
+      if (!is_valid(shifted(*world_.box(handle), by)))
+        throw py::value_error("by: the box of handle " + std::to_string(handle.value) +
+                              " would exceed the range of float32; remove that object, or shift by less");
+    });
+  }
+
   [[nodiscard]] std::vector<Handle> present(const py::handle& given) const {
     const py::array array = as_array(given, "handles");
     const char kind = array.dtype().kind();
@@ -212,7 +225,7 @@ class WorldOf final : public PythonWorld {
         std::ranges::find_if_not(handles, [&](Handle handle) { return world_.contains(handle); });
     if (stale != handles.end())
       fail_at(static_cast<std::size_t>(stale - handles.begin()),
-              "names no object of this world: it was removed, or the handle is of another world");
+              "names no object of this world: it was removed, or the handle is of a world with another tag");
     return handles;
   }
 
@@ -223,11 +236,7 @@ class WorldOf final : public PythonWorld {
 
 }  // namespace
 
-std::unique_ptr<PythonWorld> make_world(int dimension, const Config& config, bool exact_boxes,
-                                        unsigned threads) {
-  const WorldOptions options{.config = config,
-                             .pairs_of = exact_boxes ? PairsOf::exact_boxes : PairsOf::fat_boxes,
-                             .threads = threads};
+std::unique_ptr<PythonWorld> make_world(int dimension, const WorldOptions& options) {
   if (dimension == 2) return std::make_unique<WorldOf<2>>(options);
   if (dimension == 3) return std::make_unique<WorldOf<3>>(options);
   throw py::value_error("dimension: it is " + std::to_string(dimension) + ", but must be 2 or 3");

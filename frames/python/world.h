@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/base/config.h"
+#include "core/world/world.h"
 #include "frames/python/made.h"
 
 namespace kerf::python {
@@ -54,8 +54,7 @@ class PythonWorld {
 };
 
 /// Throws ValueError for a dimension other than 2 and 3.
-std::unique_ptr<PythonWorld> make_world(int dimension, const Config& config, bool exact_boxes,
-                                        unsigned threads);
+std::unique_ptr<PythonWorld> make_world(int dimension, const WorldOptions& options);
 
 /// Makes the rows of `objects` known to numpy.
 void register_world_rows();

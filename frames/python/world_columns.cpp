@@ -36,11 +36,15 @@ class Column {
   template <class Whole>
   [[nodiscard]] Whole whole(std::size_t row, Whole least, Whole most) const {
     const py::object value = element(row);
-    const bool is_whole = PyIndex_Check(value.ptr()) != 0;
-    if (!is_whole || value < py::int_(least) || value > py::int_(most))
+    py::object number;
+    if (PyIndex_Check(value.ptr()) != 0) {
+      number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+      if (!number) throw py::error_already_set();
+    }
+    if (!number || number < py::int_(least) || number > py::int_(most))
       fail(row, "is " + std::string(py::str(value)) + "; it is a whole number from " + std::to_string(least) +
                     " to " + std::to_string(most));
-    return py::int_(value).cast<Whole>();
+    return number.cast<Whole>();
   }
 
   [[nodiscard]] float length(std::size_t row) const {

@@ -320,7 +320,7 @@ def test_another_thread_gets_an_error_while_a_step_runs():
         try:
             phase.move(boxes)
         except RuntimeError as error:
-            assert "another thread is using this object" in str(error)
+            assert "this object is in use by another thread" in str(error)
             refused.set()
     worker.join()
     assert refused.is_set()

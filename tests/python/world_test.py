@@ -45,6 +45,67 @@ def test_the_origin_is_shifted():
     assert (world.boxes(handles) == moved).all()
 
 
+def test_a_shift_beyond_the_range_of_float32_is_refused():
+    world = kerf.World(2)
+    handles = world.insert(np.concatenate([ONE, ONE + 3]))
+    floor = world.insert([[[-np.inf, 0], [np.inf, 1]]])
+    world.shift_origin([1000, 0])  # the endless floor comes along
+    with pytest.raises(ValueError, match=f"by: the box of handle {floor[0]} would exceed the range of float32"):
+        world.shift_origin([1e32, 0])
+    assert (world.boxes(handles) == np.concatenate([ONE, ONE + 3]) + np.array([1000, 0], np.float32)).all()
+
+
+def test_worlds_with_different_tags_refuse_each_others_handles():
+    first, second = kerf.World(2), kerf.World(2, tag=255)
+    handles = first.insert(ONE), second.insert(ONE)
+    assert handles[0] != handles[1] and kerf.index_of(handles[1]) == 0
+    for world, handle in [(first, handles[1]), (second, handles[0])]:
+        with pytest.raises(ValueError, match="handles: row 0 names no object of this world: .* with another tag"):
+            world.remove(handle)
+    first.step()
+    second.restore(first.save())
+    second.remove(handles[0])
+    for tag in [-1, 256]:
+        with pytest.raises(ValueError, match=f"tag: it is {tag}, but must be from 0 to 255"):
+            kerf.World(2, tag=tag)
+
+
+def test_an_object_that_asks_while_it_is_read_is_refused():
+    world = kerf.World(2)
+    handles = world.insert(ONE)
+
+    class Asks:
+        def __array__(self, *_args, **_names):
+            len(world.handles)
+            return handles
+
+    with pytest.raises(RuntimeError, match="in use by another thread, or by the call that asked for these numbers"):
+        world.boxes(Asks())
+    assert len(world.boxes(handles)) == 1
+
+
+def test_whole_numbers_are_what_has_an_index():
+    class Whole:
+        def __init__(self, value):
+            self.value = value
+
+        def __index__(self):
+            if self.value is None:
+                raise KeyError("mine")
+            return self.value
+
+    world = kerf.World(2)
+    most = 2**64 - 1
+    handles = world.insert(np.repeat(ONE, 2, 0), kind=Whole(0), group=[Whole(-3), np.int8(4)], user_data=Whole(most))
+    rows = world.objects(handles)
+    assert rows["kind"].tolist() == [0, 0] and rows["group"].tolist() == [-3, 4]
+    assert rows["user_data"].tolist() == [most] * 2
+    with pytest.raises(ValueError, match="category: row 0 is .*; it is a whole number from 0 to"):
+        world.set(handles, category=Whole(-1))
+    with pytest.raises(KeyError, match="mine"):
+        world.set(handles, category=Whole(None))
+
+
 def test_kinds_and_filters_decide_which_pairs_are_reported():
     world = kerf.World(2)
     kinds = ["fixed", "kinematic", "moving", "sensor"]

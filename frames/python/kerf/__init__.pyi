@@ -104,6 +104,7 @@ class World:
         pairs_of: Literal["fat", "exact"] = "fat",
         config: _Config = None,
         threads: int = 1,
+        tag: int = 0,
     ) -> None: ...
     def insert(
         self,
