@@ -171,7 +171,7 @@ void ShiftPass<D>::find_left_behind(const StepContext<D>& step) {
 }
 
 /// Takes those that followed the shift off the list of changed objects. The others moved from where the shift
-/// alone would have brought them.
+/// alone would have brought them; those that came did not move.
 template <int D>
 void ShiftPass<D>::unlist_followers(const StepContext<D>& step) {
   Requests<D>& requests = step.requests;
@@ -195,7 +195,7 @@ void ShiftPass<D>::unlist_followers(const StepContext<D>& step) {
           follows_shift(fat[id], before[k], now[id], by)) {
         flags[id] = 0;
       } else {
-        before[k] = moved(before[k], by);
+        before[k] = table.is_placed(changed[k]) ? moved(before[k], by) : now[id];
       }
     }
   });

@@ -167,10 +167,9 @@ KERF_API kerf_status kerf_world_pairs(const kerf_world* world, const kerf_pair**
 KERF_API kerf_status kerf_world_begun(const kerf_world* world, const kerf_pair** pairs, size_t* count);
 KERF_API kerf_status kerf_world_ended(const kerf_world* world, const kerf_pair** pairs, size_t* count);
 
-/* 2 or 3; how many objects there are; more than kerf_handle_index() of each handle. 0 for NULL. */
-KERF_API uint32_t kerf_world_dimension(const kerf_world* world);
-KERF_API size_t kerf_world_size(const kerf_world* world);
-KERF_API size_t kerf_world_bound(const kerf_world* world);
+KERF_API uint32_t kerf_world_dimension(const kerf_world* world); /* 2 or 3; 0 for NULL */
+KERF_API size_t kerf_world_size(const kerf_world* world);        /* how many objects there are; 0 for NULL */
+KERF_API size_t kerf_world_bound(const kerf_world* world);       /* above each handle's index; 0 for NULL */
 /* For arrays of the caller's, one element an object: indices are dense, and used again; one that a step has
  * seen, only after the next step: read the pairs that ended before you insert. */
 KERF_API uint32_t kerf_handle_index(kerf_handle handle);

@@ -9,7 +9,10 @@ template <int D>
 class WorldIndex<D>::Acceptance {
  public:
   Acceptance(const WorldIndex& index, const World<D>& world, const WorldQueryFilter& filter)
-      : index_(index), world_(world), filter_(filter), is_of_world_(index.of_ == world.identity_) {}
+      : index_(index),
+        world_(world),
+        filter_(filter),
+        is_of_world_(index.of_ != nullptr && index.of_ == world.identity_) {}
 
   [[nodiscard]] Filter filter() {
     Filter filter;
@@ -46,6 +49,7 @@ void WorldIndex<D>::update(const World<D>& world) {
     next_handles_[handle.index()] = handle;
     are_exact &= !is_thick(world.find(handle)->margin) && objects.is_placed({handle.index()});
   });
+  if (of_ != world.identity_) of_.reset();  // boxes of the other world may stay behind if memory runs out
   if (are_exact) {
     index_.update(objects);
   } else {

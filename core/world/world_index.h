@@ -46,7 +46,8 @@ template <int D>
 class WorldIndex {
  public:
   /// Takes the boxes as they are, requests since the last step included. If memory runs out, new objects
-  /// are not found, and all others are where they were or where they are now.
+  /// are not found, and all others are where they were or where they are now; nothing is found if the last
+  /// update was from another world.
   void update(const World<D>& world);
 
   /// `Region`: Box<D>, Vector<D> (a point), Sphere<D> or Frustum<D>.

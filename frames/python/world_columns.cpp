@@ -39,7 +39,8 @@ class Column {
     py::object number;
     if (PyIndex_Check(value.ptr()) != 0) {
       number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
-      if (!number) throw py::error_already_set();
+      if (!number && PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+      PyErr_Clear();
     }
     if (!number || number < py::int_(least) || number > py::int_(most))
       fail(row, "is " + std::string(py::str(value)) + "; it is a whole number from " + std::to_string(least) +

@@ -25,9 +25,9 @@ bool appears(const std::filesystem::path& file) {
 }
 
 /// What is in `folder` is a valid part of a sequence: an incomplete manifest that names the frames that are
-/// there, each with the pixels that it says. A worker that is killed may have left one more, of which it had
-/// no time to tell.
-void expect_valid_part(const std::filesystem::path& folder, std::size_t most_untold = 0) {
+/// there, each with the pixels that it says. There may be more of which the manifest does not know yet: a
+/// worker that is killed has perhaps just written one.
+void expect_valid_part(const std::filesystem::path& folder, std::size_t most_unknown = 0) {
   const nlohmann::json manifest = test::read_json(folder / "frames.json");
   EXPECT_EQ(manifest["complete"], false);
   std::vector<std::string> expected{"frames.json"};
@@ -38,7 +38,7 @@ void expect_valid_part(const std::filesystem::path& folder, std::size_t most_unt
   }
   const std::vector<std::string> files = test::files_in(folder);
   EXPECT_THAT(files, ::testing::IsSupersetOf(expected));
-  EXPECT_LE(files.size(), expected.size() + most_untold) << ::testing::PrintToString(files);
+  EXPECT_LE(files.size(), expected.size() + most_unknown) << ::testing::PrintToString(files);
 }
 
 class FailureProgram : public ::testing::TestWithParam<int> {};

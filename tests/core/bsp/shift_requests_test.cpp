@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bsp/bsp.h"
+#include "core/bsp/bsp_state.h"
 #include "core/replay/oracle.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -112,6 +113,16 @@ TYPED_TEST(ShiftRequests, ABoxThatBeganAtMinusZeroHasNoOldPair) {
   ASSERT_EQ(this->grid_.tree.move(this->grid_.last(), this->grid_.shrunk()), Status::ok);
   this->grid_.check("the step of the shift");
   this->grid_.check("the next");
+}
+
+/// It did not move, though the origin did before it came.
+TYPED_TEST(ShiftRequests, WhatComesAfterTheShiftIsNotRestless) {
+  this->grid_.shift(128);
+  ASSERT_EQ(this->grid_.tree.move(this->grid_.last(), this->grid_.box()), Status::ok);
+  const ObjectId one_more{static_cast<std::uint32_t>(this->grid_.tree.objects().bound())};
+  ASSERT_EQ(this->grid_.tree.insert(one_more, this->grid_.box(), Mobility::moving), Status::ok);
+  this->grid_.check("the step of the shift");
+  EXPECT_FALSE(this->grid_.tree.state().skins.at(one_more.index()).is_restless());
 }
 
 }  // namespace
