@@ -37,10 +37,9 @@ struct KeptLeaf {
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  RestingList resting;  ///< pairs of objects without fat
-  std::vector<Pair>
-      candidates;          ///< others, with fat boxes within the slack; the first is of the lower object
-  std::vector<Pair> near;  ///< of objects without fat, whose boxes a shift may let touch
+  RestingList resting;           ///< pairs of objects without fat
+  std::vector<Pair> candidates;  ///< others, of fat boxes within the slack; `a` is the lower object
+  std::vector<Pair> near;        ///< of objects without fat, whose boxes a shift may let touch
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
   bool swept = false;  ///< nothing is kept, since too many are restless: the leaf is swept in each step

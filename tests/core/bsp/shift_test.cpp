@@ -306,35 +306,6 @@ TYPED_TEST(Shifts, IsKnownThoughMuchMovesBesideIt) {
   }
 }
 
-/// Beside the crowd one object stays where the shift would bring it out of the range of floats: nothing comes
-/// along.
-TYPED_TEST(Shifts, NothingLeavesTheRangeOfFloats) {
-  constexpr int kD = TypeParam::value;
-  Random random(13);
-  std::vector<ObjectId> ids;
-  std::vector<Box<kD>> boxes;
-  Bsp<kD> tree(leaves_of_32());
-  for (std::uint32_t id = 0; id < 400; ++id) {
-    ids.push_back({id});
-    boxes.push_back(random_box<kD>(random, 10, 0.5));
-  }
-  boxes.back().min[0] = 3.3e38F;
-  boxes.back().max[0] = 3.4e38F;
-  for (const ObjectId id : ids) ASSERT_EQ(tree.insert(id, boxes[id.index()], Mobility::moving), Status::ok);
-  for (int k = 0; k < 60; ++k) {
-    Vector<kD> by;
-    if (k == 40) by[0] = 1e38F;
-    if (k == 44) by[0] = -1e38F;
-    for (std::size_t id = 0; id + 1 < boxes.size(); ++id)
-      boxes[id] = {boxes[id].min + by, boxes[id].max + by};
-    ASSERT_EQ(tree.move_many(ids, boxes), Status::ok);
-    tree.step();
-    ASSERT_TRUE(same_pairs(tree.pairs(), oracle_pairs(tree.objects()))) << "step " << k;
-    ASSERT_TRUE(validate(tree.tree()).empty()) << "step " << k;
-    ASSERT_TRUE(k <= 30 || k >= 40 || tree.mode() == Mode::kept) << "step " << k;
-  }
-}
-
 /// Not to move at all is no common motion, though it is as far as a point is large.
 TYPED_TEST(Shifts, PointsAtRestAreKept) {
   constexpr int kD = TypeParam::value;
