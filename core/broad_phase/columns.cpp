@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/tuning.h"
+#include "core/geometry/sort_key.h"
 
 namespace kerf {
 template <int D>

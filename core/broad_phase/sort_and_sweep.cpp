@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/sort_key.h"
+
 namespace kerf {
 
 template <int D>

@@ -40,13 +40,6 @@ double measure(const Box<D>& box) {
 
 }  // namespace
 
-/// An object on its way into a block.
-template <int D>
-struct BlockHierarchy<D>::Place {
-  Vector<D> center;
-  std::uint32_t object = 0;
-};
-
 template <int D>
 std::size_t BlockHierarchy<D>::bytes() const {
   return blocks_.capacity() * (sizeof(WideBlock<D>) + sizeof(std::uint32_t) + 1);
@@ -105,17 +98,21 @@ bool BlockHierarchy<D>::refit(const ObjectTable<D>& objects) {
 
 template <int D>
 void BlockHierarchy<D>::build(const ObjectTable<D>& objects) {
-  std::vector<Place> places;
-  places.reserve(objects.size());
+  std::vector<CenteredObject<D>> placed;
+  placed.reserve(objects.size());
   for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id})) places.push_back({objects.box({id}).center(), id});
+    if (objects.is_placed({id})) placed.push_back({objects.box({id}).center(), id});
   blocks_.clear();
   above_.clear();
   is_inner_.clear();
-  size_ = slots_ = places.size();
+  size_ = slots_ = placed.size();
   std::size_t room = kBlockWidth;
-  while (room < places.size()) room *= kBlockWidth;
-  add_block(places, room, 0);
+  std::size_t most_blocks = 1 + placed.size() / (kBlockWidth - 1);
+  for (; room < placed.size(); room *= kBlockWidth) ++most_blocks;  // one of each level may not be full
+  blocks_.reserve(most_blocks);
+  above_.reserve(most_blocks);
+  is_inner_.reserve(most_blocks);
+  add_block(placed, room, 0);
   for (std::size_t block = 0; block < blocks_.size(); ++block)
     if (has_objects(block)) take_boxes(objects, block);
   join_upwards();
@@ -125,39 +122,35 @@ void BlockHierarchy<D>::build(const ObjectTable<D>& objects) {
 /// Adds a block for these objects, below the slot `above`; full, it holds `room` of them. Returns it as an
 /// item.
 template <int D>
-std::uint32_t BlockHierarchy<D>::add_block(std::span<Place> places, std::size_t room, std::uint32_t above) {
+std::uint32_t BlockHierarchy<D>::add_block(std::span<CenteredObject<D>> objects, std::size_t room,
+                                           std::uint32_t above) {
   const auto block = static_cast<std::uint32_t>(blocks_.size());
   const bool is_inner = room > kBlockWidth;
   WideBlock<D>& added = blocks_.emplace_back();
   for (std::size_t k = 0; k < kBlockWidth; ++k) {
     added.set(k, WideBlock<D>::no_box());
-    added.item[k] = !is_inner && k < places.size() ? places[k].object : WideBlock<D>::kUnused;
+    added.item[k] = !is_inner && k < objects.size() ? objects[k].object : WideBlock<D>::kUnused;
   }
   above_.push_back(above);
   is_inner_.push_back(is_inner ? 1 : 0);
   const std::size_t part = room / kBlockWidth;
-  if (is_inner) add_children(places, part, (places.size() + part - 1) / part, block * kBlockWidth);
+  if (is_inner) add_children(objects, part, (objects.size() + part - 1) / part, block * kBlockWidth);
   return block * 2 + (is_inner ? 1 : 0);
 }
 
 /// Divides the objects between children that hold `room` each, and all but the last of them are full.
 template <int D>
-void BlockHierarchy<D>::add_children(std::span<Place> places, std::size_t room, std::size_t children,
-                                     std::uint32_t slot) {
+void BlockHierarchy<D>::add_children(std::span<CenteredObject<D>> objects, std::size_t room,
+                                     std::size_t children, std::uint32_t slot) {
   if (children == 1) {
-    const std::uint32_t item = add_block(places, room, slot);
+    const std::uint32_t item = add_block(objects, room, slot);
     blocks_[slot / kBlockWidth].item[slot % kBlockWidth] = item;
     return;
   }
-  Box<D> centers = Box<D>::empty();
-  for (const Place& place : places) centers = join(centers, {place.center, place.center});
-  const Vector<D> extent = centers.extent();
-  const auto axis = static_cast<int>(std::ranges::max_element(extent.value) - extent.value.begin());
   const std::size_t left = children / 2;
-  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(left * room);
-  std::ranges::nth_element(places, middle, {}, [axis](const Place& p) { return p.center[axis]; });
-  add_children(places.first(left * room), room, left, slot);
-  add_children(places.subspan(left * room), room, children - left, slot + static_cast<std::uint32_t>(left));
+  divide_objects<D>(objects, left * room, longest_axis<D>(objects));
+  add_children(objects.first(left * room), room, left, slot);
+  add_children(objects.subspan(left * room), room, children - left, slot + static_cast<std::uint32_t>(left));
 }
 
 template class BlockHierarchy<2>;

@@ -7,6 +7,7 @@
 
 #include "core/kernels/wide_block.h"
 #include "core/objects/object_table.h"
+#include "core/spatial/divide_objects.h"
 
 namespace kerf {
 
@@ -35,11 +36,11 @@ class BlockHierarchy {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Place;
   [[nodiscard]] std::uint32_t root() const { return is_inner_.empty() ? 0 : is_inner_[0]; }
   void build(const ObjectTable<D>& objects);
-  std::uint32_t add_block(std::span<Place> places, std::size_t room, std::uint32_t above);
-  void add_children(std::span<Place> places, std::size_t room, std::size_t children, std::uint32_t slot);
+  std::uint32_t add_block(std::span<CenteredObject<D>> objects, std::size_t room, std::uint32_t above);
+  void add_children(std::span<CenteredObject<D>> objects, std::size_t room, std::size_t children,
+                    std::uint32_t slot);
   std::size_t take_boxes(const ObjectTable<D>& objects, std::size_t block);
   void join_upwards();
   bool refit(const ObjectTable<D>& objects);
