@@ -75,12 +75,13 @@ HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Do
   return hn::BitCast(Doubles(), lanes_in_order(hn::BitCast(Words(), lanes), order));
 }
 #elif HWY_TARGET <= HWY_AVX3
-// As above, for lanes of 64 bits.
+// As above, for lanes of 64 bits. What follows the chosen lanes is left as it was, not made zero: for zeros some
+// processors (Zen 4 and 5) wait for what the register held before.
 HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
-  return {_mm512_maskz_compress_epi32(chosen.raw, lanes.raw)};
+  return {_mm512_mask_compress_epi32(lanes.raw, chosen.raw, lanes.raw)};
 }
 HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Doubles> chosen) {
-  return {_mm512_maskz_compress_epi64(chosen.raw, lanes.raw)};
+  return {_mm512_mask_compress_epi64(lanes.raw, chosen.raw, lanes.raw)};
 }
 #else
 HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
@@ -88,6 +89,14 @@ HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> c
 }
 HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Doubles> chosen) {
   return hn::Compress(lanes, chosen);
+}
+#endif
+
+#if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86
+/// The positions of the bits, ascending, as bytes, then anything.
+HWY_INLINE __m512i positions_of(std::uint64_t bits) {
+  const __m512i all = hn::Iota(hn::ScalableTag<std::uint8_t>(), 0).raw;
+  return _mm512_mask_compress_epi8(all, bits, all);
 }
 #endif
 

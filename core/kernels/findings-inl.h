@@ -14,6 +14,7 @@
 
 #include "core/base/append_buffer.h"
 #include "core/kernels/bytes-inl.h"
+#include "core/kernels/compress-inl.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/four_pairs-inl.h"
 #include "core/kernels/packed-inl.h"
@@ -54,7 +55,7 @@ class Found {
 
   HWY_INLINE void add(std::uint64_t bits, std::uint32_t i, std::uint32_t j) {
     const auto count = static_cast<std::size_t>(std::popcount(bits));
-    const __m512i at = _mm512_maskz_compress_epi8(bits, hn::Iota(Bytes(), 0).raw);
+    const __m512i at = positions_of(bits);
     write(_mm512_castsi512_si128(at), i, j, count_);
     if (count > 16) {
       write(_mm512_extracti32x4_epi32(at, 1), i, j, count_ + 16);

@@ -24,9 +24,9 @@ constexpr std::size_t kQueue = 256;
 struct Queue {
   HWY_INLINE bool is_empty() const { return head == tail; }
   HWY_INLINE std::uint32_t take() { return HWY_LIKELY(tail < kQueue) ? waiting[head++] : waiting[--tail]; }
+  std::uint32_t* const waiting;  ///< elsewhere, so that the compiler keeps the others in registers
   std::size_t head = 0;
   std::size_t tail = 0;
-  std::uint32_t waiting[kQueue + kMostWaiting];
 };
 
 HWY_INLINE bool has_blocks(std::uint32_t item) { return (item & 1U) != 0; }
@@ -52,7 +52,8 @@ HWY_INLINE std::uint32_t add_reached(const WideBlock<D>& block, const Finder& fi
 /// Hands the blocks of objects to the finder that lie in what it reaches.
 template <int D, class Finder>
 HWY_INLINE void search(const BlockView<D>& view, Finder finder) {
-  Queue queue;
+  std::uint32_t waiting[kQueue + kMostWaiting];
+  Queue queue{waiting};
   std::uint32_t item = view.root;
   for (;;) {
     const WideBlock<D>& block = view.blocks[item >> 1U];

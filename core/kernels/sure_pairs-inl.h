@@ -42,7 +42,7 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
   const Words w;
   const auto own = hn::Set(w, object);
   const auto count = static_cast<std::size_t>(std::popcount(bits));
-  const __m512i numbers = _mm512_maskz_compress_epi8(bits, hn::Iota(Bytes(), 0).raw);
+  const __m512i numbers = positions_of(bits);
   __m512i ids[4];
   for (std::size_t k = 0; k < 4; ++k) ids[k] = hn::LoadU(w, others + 16 * k).raw;
   const auto write = [&](__m128i which, std::size_t place) HWY_ATTR {
