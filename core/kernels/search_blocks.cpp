@@ -208,10 +208,17 @@ HWY_INLINE void consider_all(const BlockView<D>& view, std::uint32_t item, const
 template <int D>
 class Path {
  public:
+  /// Adds a block; returns its nearest item, or if none is within the bound, the next one of the others.
   template <class Test>
-  HWY_INLINE void add(const WideBlock<D>& block, const Test& test) {
+  HWY_INLINE std::uint32_t enter(const WideBlock<D>& block, const Test& test, const NearRoom& room) {
     std::uint32_t unused = 0;
-    levels_[size_++] = {Order(block, test, unused), block.item};
+    Order left(block, test, unused);
+    const std::int32_t rank = left.nearest();  // straight from registers it is there sooner
+    if (rank > Order::last_within(room.bound)) return next(room);
+    left.remove(rank);
+    levels_[size_++] = {left, block.item};
+    const std::uint32_t item = block.item[Order::lane_of(rank)];
+    return HWY_LIKELY(item != WideBlock<D>::kUnused) ? item : next(room);
   }
   /// The next item that may be within the bound, or kUnused at the end.
   HWY_INLINE std::uint32_t next(const NearRoom& room) {
@@ -242,11 +249,12 @@ template <int D, class Test>
 HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& room) {
   const TestOf<D, Test> test(given);
   Path<D> path;
-  for (std::uint32_t item = view.root; item != WideBlock<D>::kUnused; item = path.next(room)) {
+  for (std::uint32_t item = view.root; item != WideBlock<D>::kUnused;) {
     if (has_blocks(item)) {
-      path.add(view.blocks[item >> 1U], test);
+      item = path.enter(view.blocks[item >> 1U], test, room);
     } else {
       consider_all(view, item, test, room);
+      item = path.next(room);
     }
   }
 }
