@@ -21,7 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+constexpr std::size_t kPart = 16;
+#elif HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
 constexpr std::size_t kPart = 8;
 #else
 constexpr std::size_t kPart = 4;

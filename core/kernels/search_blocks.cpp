@@ -12,10 +12,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// No hierarchy has more: eight to the power of eleven objects have no ids.
-constexpr std::size_t kMostLevels = 11;
-/// Blocks that wait on a stack. Each inner block replaces itself by eight at most.
-constexpr std::size_t kMostWaiting = 8 * kMostLevels + 8;
+/// No hierarchy has more: more objects than the width to the power of eight have no ids.
+constexpr std::size_t kMostLevels = 8;
+static_assert(kBlockWidth == 16);
+/// Blocks that wait on a stack. Each inner block replaces itself by a width of them at most.
+constexpr std::size_t kMostWaiting = kBlockWidth * (kMostLevels + 1);
 /// Blocks that wait in a queue.
 constexpr std::size_t kQueue = 256;
 
@@ -41,6 +42,7 @@ HWY_INLINE bool take_room(FoundRoom<Finding>& room) {
 template <int D, class Finder>
 HWY_INLINE std::uint32_t add_reached(const WideBlock<D>& block, const Finder& finder, Queue& queue) {
   std::uint32_t lanes = 0;
+  HWY_DEFAULT_UNROLL
   for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
     const Marks reached = finder.reaches(block, k);
     lanes |= bits_of(reached) << k;
@@ -79,6 +81,7 @@ template <int D>
 struct OverlapFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k); }
   HWY_INLINE void take(const WideBlock<D>& block, std::size_t /*first*/) {
+    HWY_DEFAULT_UNROLL
     for (std::size_t k = 0; k < kBlockWidth; k += kPart)
       room.next += write_items(block, k, test(block, k), room.next);
   }
@@ -90,6 +93,7 @@ template <int D, class Test>
 struct PossibleFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
   HWY_INLINE void take(const WideBlock<D>& block, std::size_t first) {
+    HWY_DEFAULT_UNROLL
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       const Marks sure = hn::And(answer.possible, test.sure_of(answer));
@@ -127,6 +131,7 @@ template <int D>
 struct HitFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
   HWY_INLINE void take(const WideBlock<D>& block, std::size_t first) {
+    HWY_DEFAULT_UNROLL
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       std::uint32_t bits = bits_of(answer.possible);
@@ -155,6 +160,7 @@ class Order {
   template <int D, class Test>
   HWY_INLINE Order(const WideBlock<D>& block, const Test& test, std::uint32_t& sure) {
     sure = 0;
+    HWY_DEFAULT_UNROLL
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       sure |= bits_of(test.sure_of(answer)) << k;

@@ -8,9 +8,9 @@
 
 namespace kerf {
 
-inline constexpr std::size_t kBlockWidth = 8;
+inline constexpr std::size_t kBlockWidth = 16;
 
-/// Eight boxes side by side, so that a vector instruction tests all of them, and what each of them bounds: an
+/// Boxes side by side, so that one or two vector instructions test all of them, and what each of them bounds: an
 /// object, or another block.
 template <int D>
 struct alignas(64) WideBlock {

@@ -23,7 +23,7 @@ Visitor make_visitor(Callable& callable) {
           &callable};
 }
 
-/// Answers queries about the objects of a broad phase: a hierarchy of boxes, eight side by side, which is
+/// Answers queries about the objects of a broad phase: a hierarchy of boxes, sixteen side by side, which is
 /// packed beside the tree and changes nothing in it.
 ///
 ///     SpatialIndex<3> index;

@@ -135,11 +135,11 @@ TYPED_TEST(PairBitsOfTable, NeedRoomForEachObject) {
   ObjectTable<TypeParam::value> table;
   PairBits<TypeParam::value> bits;
   Random random(1);
-  for (std::uint32_t id = 0; id < 8; ++id)
+  for (std::uint32_t id = 0; id < kBlockWidth; ++id)
     (void)table.insert({id}, draw_box<TypeParam::value>(random, 6), Mobility::moving);
   bits.take(table, oracle_pairs(table));
   EXPECT_TRUE(bits.have_room(table));
-  (void)table.insert({8}, draw_box<TypeParam::value>(random, 6), Mobility::moving);
+  (void)table.insert({kBlockWidth}, draw_box<TypeParam::value>(random, 6), Mobility::moving);
   EXPECT_FALSE(bits.have_room(table));
 }
 

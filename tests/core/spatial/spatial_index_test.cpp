@@ -39,7 +39,7 @@ TYPED_TEST(SpatialIndexTest, AnEmptyOneFindsNothing) {
 }
 
 TYPED_TEST(SpatialIndexTest, AnswersAsALookAtEachBoxForAnyNumberOfObjects) {
-  for (const std::uint32_t count : {1U, 6U, 1U, 1U, 54U, 2U, 448U, 90U}) {  // around powers of eight
+  for (const std::uint32_t count : {1U, 14U, 1U, 1U, 238U, 2U, 3838U, 3U}) {  // around powers of sixteen
     this->crowd_.add(count, 5);
     this->bsp_.step();
     this->index_.update(this->bsp_.objects());
