@@ -19,7 +19,7 @@ namespace kerf {
 /// Highway 1.0.3 asks the system for random bits each time.
 inline constexpr std::size_t kMostCounted = 96;
 /// Beyond the numbers, so that two whole vectors can be read and written.
-inline constexpr std::size_t kBeyond = 16;
+inline constexpr std::size_t kBeyond = 32;
 
 }  // namespace kerf
 #endif
@@ -28,15 +28,22 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `numbers` has `count` of them, then at least two vectors of the largest that there is.
-template <class Number>
+/// Adds one in the lanes where it is true.
+template <class Lanes>
+HWY_INLINE hn::Vec<Lanes> count_true(Lanes lanes, hn::Vec<Lanes> counts, hn::Mask<Lanes> where) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+  return hn::IfThenElse(where, hn::Add(counts, hn::Set(lanes, 1)), counts);
+#else  // a true comparison is -1
+  return hn::Sub(counts, hn::VecFromMask(lanes, where));
+#endif
+}
+
+/// In vectors of so many bytes. `numbers` has `count` of them, then at least two vectors of the largest that
+/// there is.
+template <std::size_t Bytes, class Number>
 HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* sorted) {
   using Signed = hwy::MakeSigned<Number>;
-#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
-  constexpr std::size_t kLanes = 32 / sizeof(Number);
-#else
-  constexpr std::size_t kLanes = 16 / sizeof(Number);
-#endif
+  constexpr std::size_t kLanes = Bytes / sizeof(Number);
   static_assert(2 * kLanes <= kBeyond);
   const hn::FixedTag<Signed, kLanes> lanes;
   const auto* const in_order = reinterpret_cast<const Signed*>(numbers);
@@ -45,10 +52,10 @@ HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* 
     const auto second = hn::LoadU(lanes, in_order + k + kLanes);
     auto below_first = hn::Zero(lanes);
     auto below_second = hn::Zero(lanes);
-    for (std::size_t i = 0; i < count; ++i) {  // a true comparison is -1
+    for (std::size_t i = 0; i < count; ++i) {
       const auto other = hn::Set(lanes, in_order[i]);
-      below_first = hn::Sub(below_first, hn::VecFromMask(lanes, hn::Gt(first, other)));
-      below_second = hn::Sub(below_second, hn::VecFromMask(lanes, hn::Gt(second, other)));
+      below_first = count_true(lanes, below_first, hn::Gt(first, other));
+      below_second = count_true(lanes, below_second, hn::Gt(second, other));
     }
     HWY_ALIGN Signed places[2 * kLanes];
     hn::Store(below_first, lanes, places);
@@ -57,11 +64,24 @@ HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* 
   }
 }
 
+/// The widest vectors that are not mostly empty.
+template <class Number>
+HWY_INLINE void count_in_vectors(const Number* numbers, std::size_t count, Number* sorted) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+  count > 64 / sizeof(Number) ? count_smaller<64>(numbers, count, sorted)
+                              : count_smaller<32>(numbers, count, sorted);
+#elif HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
+  count_smaller<32>(numbers, count, sorted);
+#else
+  count_smaller<16>(numbers, count, sorted);
+#endif
+}
+
 void count_32(const std::uint32_t* numbers, std::size_t count, std::uint32_t* sorted) {
-  count_smaller(numbers, count, sorted);
+  count_in_vectors(numbers, count, sorted);
 }
 void count_64(const std::uint64_t* numbers, std::size_t count, std::uint64_t* sorted) {
-  count_smaller(numbers, count, sorted);
+  count_in_vectors(numbers, count, sorted);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
