@@ -17,6 +17,7 @@ class KerfQueries final : public QueryRival<D> {
   [[nodiscard]] std::string_view name() const override { return "kerf"; }
   void build(std::span<const Box<D>> boxes) override {
     table_ = ObjectTable<D>();
+    table_.make_room(boxes.size());
     for (std::uint32_t id = 0; id < boxes.size(); ++id)
       (void)table_.insert({id}, boxes[id], Mobility::moving);
     index_.forget();
