@@ -17,16 +17,19 @@
 extern "C" {
 #endif
 
-/* Which objects take part. NULL: all of them, whatever their category, mask and group. */
+/* Which objects take part: NULL, or as kerf_query_filter_init() makes it, all of them. */
 typedef struct kerf_query_filter {
   uint32_t size;
-  uint32_t kinds;    /* bit k: those of kind k; all */
-  uint64_t category; /* as if the query were an object with category, mask and group: 1 */
-  uint64_t mask;     /* all bits */
+  uint32_t kinds; /* bit k: those of kind k; all */
+  /* As if the query were an object with these; a category or mask of 0 has all bits. All three 0: whatever
+   * the category, mask and group of an object, it takes part. */
+  uint64_t category; /* 0 */
+  uint64_t mask;     /* 0 */
   int32_t group;     /* 0 */
   uint32_t reserved; /* 0 */
-  /* Asked last, for objects that would be reported; a result other than 0 accepts. NULL: accepts all. It may
-   * only call functions of a const world: others answer KERF_BUSY. */
+  /* Asked last, for objects that would be reported, by kerf_world_cast_first and kerf_world_nearest also for
+   * some that are not in the end, since others are nearer; a result other than 0 accepts. NULL: accepts all.
+   * It may only call functions of a const world: others answer KERF_BUSY. */
   int (*accepts)(void* context, kerf_handle handle);
   void* context;
 } kerf_query_filter;

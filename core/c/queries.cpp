@@ -1,6 +1,7 @@
 // Queries, for C.
 
 #include <algorithm>
+#include <optional>
 
 #include "core/c/call.h"
 
@@ -9,7 +10,15 @@ namespace {
 
 static_assert(sizeof(WorldNeighbour) == sizeof(kerf_neighbour));
 constexpr std::size_t kLeastFilter = offsetof(kerf_query_filter, context) + sizeof(void*);
-constexpr kerf_query_filter kAll{sizeof(kerf_query_filter), 0xF, 1, UINT64_MAX, 0, 0, nullptr, nullptr};
+constexpr kerf_query_filter kAll{sizeof(kerf_query_filter), 0xF, 0, 0, 0, 0, nullptr, nullptr};
+
+/// None if all are 0. A category or mask of 0 beside another of the three would find nothing: it has all
+/// bits.
+std::optional<PairFilter> pair_filter(const kerf_query_filter& given) {
+  if (given.category == 0 && given.mask == 0 && given.group == 0) return std::nullopt;
+  const auto bits = [](std::uint64_t set) { return set == 0 ? UINT64_MAX : set; };
+  return PairFilter{bits(given.category), bits(given.mask), given.group};
+}
 
 kerf_status read_filter(const kerf_query_filter* from, WorldQueryFilter& to) {
   if (from == nullptr) return KERF_OK;
@@ -17,7 +26,7 @@ kerf_status read_filter(const kerf_query_filter* from, WorldQueryFilter& to) {
   if (const kerf_status status = read_struct(from, kLeastFilter, given); status != KERF_OK) return status;
   if (given.reserved != 0) return KERF_BAD_SIZE;
   to.kinds = given.kinds;
-  to.filter = PairFilter{given.category, given.mask, given.group};
+  to.filter = pair_filter(given);
   if (given.accepts != nullptr)
     to.accepts = [given](Handle handle) {
       return call_back([&] { return given.accepts(given.context, handle.value) != 0; });

@@ -16,7 +16,8 @@ struct WorldQueryFilter {
   std::uint32_t kinds = 0xF;  ///< bit k: those of ObjectKind k
   /// As if the query were an object with it; none: objects of every category, mask and group take part.
   std::optional<PairFilter> filter;
-  /// Asked last, for objects that the query would report; an empty one accepts all. It must not throw, nor
+  /// Asked last, for objects that the query would report, and in `first_hit` and `nearest` for others that
+  /// are not reported in the end, since some are nearer; an empty one accepts all. It must not throw, nor
   /// call functions of the world or the index that are not const.
   std::function<bool(Handle)> accepts;
 };

@@ -132,14 +132,39 @@ TEST_F(CQueries, HaveFilters) {
   EXPECT_EQ(ask(), KERF_BAD_SIZE);
 }
 
-TEST_F(CQueries, WithoutAFilterFindEveryObject) {
+TEST_F(CQueries, WithoutAFilterOrWithAFreshOneFindEveryObject) {
   EXPECT_EQ(kerf_world_set_filter(world.get(), handles[1], 0, 0, 0), KERF_OK);
   EXPECT_EQ(kerf_world_set_filter(world.get(), handles[2], 2, 2, -1), KERF_OK);
   std::size_t count = 0;
   EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), nullptr, nullptr, 0, &count), KERF_OK);
   EXPECT_EQ(count, 5U);
   EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, nullptr, 0, &count), KERF_OK);
-  EXPECT_EQ(count, 3U) << "as an object of the defaults";
+  EXPECT_EQ(count, 5U) << "as it is initialised";
+  EXPECT_EQ(kerf_world_set_kind(world.get(), handles[1], KERF_FIXED), KERF_OK);
+  filter.kinds = 1U << static_cast<unsigned>(KERF_FIXED);
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 1U) << "one of an empty mask, by its kind";
+}
+
+TEST_F(CQueries, APartOfAFilterThatIsNotSetHasAllBits) {
+  EXPECT_EQ(kerf_world_set_filter(world.get(), handles[1], 2, 8, 0), KERF_OK);
+  EXPECT_EQ(kerf_world_set_filter(world.get(), handles[2], 4, 16, -3), KERF_OK);
+  EXPECT_EQ(kerf_world_set_filter(world.get(), handles[3], 6, 24, 3), KERF_OK);
+  const auto found = [&](std::uint64_t category, std::uint64_t mask, std::int32_t group) {
+    filter.category = category;
+    filter.mask = mask;
+    filter.group = group;
+    std::vector<kerf_handle> objects(5);
+    std::size_t count = 0;
+    EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, objects.data(), 5, &count), KERF_OK);
+    objects.resize(count);
+    return objects;
+  };
+  using Handles = std::vector<kerf_handle>;
+  EXPECT_EQ(found(0, 2, 0), (Handles{handles[1], handles[3]})) << "of a category";
+  EXPECT_EQ(found(16, 0, 0), (Handles{handles[0], handles[2], handles[3], handles[4]})) << "by their masks";
+  EXPECT_EQ(found(0, 0, -3), (Handles{handles[0], handles[1], handles[3], handles[4]})) << "not of a group";
+  EXPECT_EQ(found(8, 4, 0), Handles{handles[3]});
 }
 
 TEST_F(CQueries, NothingIsKnownAfterARestoreUntilTheIndexIsUpdated) {
