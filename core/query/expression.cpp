@@ -43,6 +43,9 @@ constexpr ExpressionMeasure kTruth{ExpressionMeasure::Quantity::plain, {}};
 
 bool is_comparison(Kind kind) { return kind >= Kind::less && kind <= Kind::unequal; }
 
+/// Of which the recording has a number for each step.
+bool has_median(Variable variable) { return variable <= Variable::sweep_time; }
+
 bool is_named(Variable variable) {
   return variable == Variable::op || variable == Variable::kind || variable == Variable::phase;
 }
@@ -94,9 +97,18 @@ class Parser {
     return parts_.size() - 1;
   }
 
+  /// One side of an operator: its parts, the last of which is the whole, and its text.
+  struct Operand {
+    std::size_t first_part;
+    std::size_t part;
+    std::size_t begin;
+    std::size_t end;
+  };
+
   /// Parses operands joined by operators that bind at least that strongly; returns the index of the whole.
   std::size_t infix(int strength) {
     const std::size_t begin = now().place;
+    const std::size_t first_part = parts_.size();
     std::size_t left = prefix();
     for (;;) {
       const auto found = std::ranges::find(kInfixes, now().text, &Infix::symbol);
@@ -113,24 +125,40 @@ class Parser {
         require_condition(left, begin);
         require_condition(right, begin_of_right);
       }
-      const ExpressionMeasure& of_left = measures_[left];
-      const ExpressionMeasure& of_right = measures_[right];
-      if (is_misfit(found->kind, of_left, of_right)) {
-        if (of_right.unit_place) refuse_unit(of_right, of_left, begin, place);
-        refuse_unit(of_left, of_right, begin_of_right, now().place);
-      }
-      left = add({.kind = found->kind, .left = left, .right = right}, joined(found->kind, of_left, of_right));
+      check_units(found->kind, {first_part, left, begin, place},
+                  {left + 1, right, begin_of_right, now().place});
+      left = add({.kind = found->kind, .left = left, .right = right},
+                 joined(found->kind, measures_[left], measures_[right]));
       if (is_comparison(found->kind)) refuse_chain();
     }
   }
 
-  /// The unit of `written` does not fit `other`, which stands in the text from `begin` to `end`.
-  [[noreturn]] void refuse_unit(const ExpressionMeasure& written, const ExpressionMeasure& other,
-                                std::size_t begin, std::size_t end) const {
-    std::string name(text_.substr(begin, end - begin));
+  void check_units(Kind kind, const Operand& left, const Operand& right) const {
+    if (!is_misfit(kind, measures_[left.part], measures_[right.part])) return;
+    if (measures_[right.part].unit_place) refuse_unit(right, left);
+    refuse_unit(left, right);
+  }
+
+  /// The unit of `written` does not fit `other`.
+  [[noreturn]] void refuse_unit(const Operand& written, const Operand& other) const {
+    std::string name(text_.substr(other.begin, other.end - other.begin));
     name.resize(name.find_last_not_of(" \t") + 1);
-    reject_expression(text_, *written.unit_place,
-                      "this unit does not fit: " + name + " " + std::string(units_text(other.quantity)));
+    name += " " + std::string(units_text(measures_[other.part].quantity));
+    const ExpressionMeasure& measure = measures_[written.part];
+    reject_expression(text_, *measure.unit_place,
+                      measure.is_of_median ? "median alone is that of step_time, but " + name +
+                                                 "; write median(" + word_with_median(other) + ")"
+                                           : "this unit does not fit: " + name);
+  }
+
+  /// The first word that has a median, or WORD.
+  [[nodiscard]] std::string word_with_median(const Operand& in) const {
+    for (std::size_t part = in.first_part; part <= in.part; ++part) {
+      if (parts_[part].kind != Kind::variable || !has_median(parts_[part].variable)) continue;
+      return std::string(
+          std::ranges::find(variable_words(), parts_[part].variable, &VariableWord::variable)->name);
+    }
+    return "WORD";
   }
 
   /// Who writes 1<height<5 means that height is between the two.
@@ -213,16 +241,16 @@ class Parser {
 
   /// `median` alone is that of the step's time.
   std::size_t median() {
-    Variable of = Variable::step_time;
-    if (accept("(")) {
-      const VariableWord* const found = find_variable();
-      if (found == nullptr) reject_word();
-      if (found->variable > Variable::sweep_time)
-        reject("only what steps have in the recording has a median");
-      of = found->variable;
-      ++next_;
-      expect(")");
-    }
+    const std::size_t place = tokens_[next_ - 1].place;
+    if (!accept("("))
+      return add({.kind = Kind::median, .variable = Variable::step_time},
+                 {ExpressionMeasure::Quantity::time, place, true});
+    const VariableWord* const found = find_variable();
+    if (found == nullptr) reject_word();
+    const Variable of = found->variable;
+    if (!has_median(of)) reject("only what steps have in the recording has a median");
+    ++next_;
+    expect(")");
     return add({.kind = Kind::median, .variable = of}, measure_of(of));
   }
 

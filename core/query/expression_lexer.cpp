@@ -1,9 +1,12 @@
 #include "core/query/expression_lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <stdexcept>
 #include <string>
+
+#include "core/query/expression_words.h"
 
 namespace kerf {
 namespace {
@@ -24,6 +27,13 @@ constexpr std::array kUnits{
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether it names a value, with a hyphen for the underscore.
+bool is_value(std::string_view hyphenated) {
+  std::string name(hyphenated);
+  std::ranges::replace(name, '-', '_');
+  return std::ranges::find(named_values(), name, &NamedValue::name) != named_values().end();
+}
 
 class Lexer {
  public:
@@ -69,12 +79,19 @@ class Lexer {
     reject_expression(text_, at_ + digits, "this is no unit; known are s, ms, us and %");
   }
 
+  /// How many letters and digits begin there.
+  [[nodiscard]] std::size_t letters(std::size_t offset) const {
+    const std::string_view rest = text_.substr(at_ + offset);
+    const auto is_other = [](char c) { return !is_letter(c) && !is_digit(c); };
+    return static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin());
+  }
+
   void word() {
-    std::size_t size = 1;
-    const auto at = [&](std::size_t offset) {
-      return at_ + offset < text_.size() ? text_[at_ + offset] : ' ';
-    };
-    while (is_letter(at(size)) || is_digit(at(size)) || (at(size) == '-' && is_letter(at(size + 1)))) ++size;
+    std::size_t size = letters(0);
+    if (text_.substr(at_ + size).starts_with('-')) {
+      const std::size_t both = size + 1 + letters(size + 1);
+      if (is_value(text_.substr(at_, both))) size = both;
+    }
     add(Token::Kind::word, size);
   }
 

@@ -18,7 +18,7 @@ struct Token {
   ExpressionMeasure measure{};  ///< of a number
 };
 
-/// Cuts an expression into tokens, the last being `end`. Words may have a hyphen between letters
+/// Cuts an expression into tokens, the last being `end`. A hyphen is a minus, but in the name of a value
 /// (`shift-split`). Throws std::invalid_argument for characters that belong to no token.
 std::vector<Token> tokens_of(std::string_view text);
 

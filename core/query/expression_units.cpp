@@ -11,7 +11,7 @@ ExpressionMeasure sum(const ExpressionMeasure& left, const ExpressionMeasure& ri
   if (left.quantity == Quantity::bare) return right;
   if (right.quantity == Quantity::bare) return left;
   if (left.quantity != right.quantity) return {};
-  return {left.quantity, left.unit_place && right.unit_place ? left.unit_place : std::nullopt};
+  return left.unit_place && right.unit_place ? left : ExpressionMeasure{left.quantity, {}};
 }
 
 ExpressionMeasure product(const ExpressionMeasure& left, const ExpressionMeasure& right) {
@@ -53,9 +53,10 @@ ExpressionMeasure joined(Kind kind, const ExpressionMeasure& left, const Express
 }
 
 bool is_misfit(Kind kind, const ExpressionMeasure& left, const ExpressionMeasure& right) {
-  if (kind == Kind::multiply || kind == Kind::divide || kind >= Kind::both) return false;
+  if (kind == Kind::multiply || kind >= Kind::both || left.quantity == right.quantity) return false;
   if (left.quantity == Quantity::bare || right.quantity == Quantity::bare) return false;
-  return left.quantity != right.quantity && (left.unit_place || right.unit_place);
+  if (kind == Kind::divide) return right.is_of_median;
+  return left.unit_place || right.unit_place;
 }
 
 std::string_view units_text(Quantity quantity) {

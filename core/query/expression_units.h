@@ -17,8 +17,10 @@ struct ExpressionMeasure {
     time,   ///< s, ms, us
   };
   Quantity quantity = Quantity::bare;
-  /// Where in the text the unit stands that makes the quantity; none if a word makes it.
+  /// Where in the text the unit, or the bare `median`, stands that makes the quantity; none if another word
+  /// makes it.
   std::optional<std::size_t> unit_place;
+  bool is_of_median = false;  ///< a bare `median` stands there
 };
 
 /// A word's measure, also that of its median.
@@ -29,8 +31,9 @@ ExpressionMeasure measure_of(Variable variable);
 ExpressionMeasure joined(ExpressionPart::Kind kind, const ExpressionMeasure& left,
                          const ExpressionMeasure& right);
 
-/// Whether `kind` (a comparison, a sum or a difference) joins a unit that was written with a quantity that
-/// does not have it. Words of different quantities may be joined: a number of the user's may scale one.
+/// Whether `kind` (a comparison, a sum or a difference) joins a unit that was written, or a bare `median`,
+/// with a quantity that does not have it; or a quotient is one of another quantity and a bare `median`. Other
+/// words of different quantities may be joined: a number of the user's may scale one.
 bool is_misfit(ExpressionPart::Kind kind, const ExpressionMeasure& left, const ExpressionMeasure& right);
 
 /// "has no unit", "takes s, ms and us only"

@@ -108,6 +108,38 @@ TEST(Expression, AUnitThatTheQuantityDoesNotHaveIsRefused) {
     EXPECT_NO_THROW((void)Expression::parse(text)) << text;
 }
 
+/// `pairs>2*median` was taken as pairs > twice the seconds of a usual step: true of nearly every one.
+TEST(Expression, AMedianWithoutAWordIsComparedWithTimesOnly) {
+  EXPECT_THAT(refusal("pairs>2*median"),
+              HasSubstr("median alone is that of step_time, but pairs has no unit; "
+                        "write median(pairs)\n  pairs>2*median\n          ^"));
+  EXPECT_THAT(refusal("step_time>1s || median < 1+redundancy/2 && pairs>1"),
+              HasSubstr("1+redundancy/2 takes % only; write median(redundancy)"));
+  EXPECT_THAT(refusal("pairs / median > 2"), HasSubstr("write median(pairs)"));
+  EXPECT_THAT(refusal("pairs > 1ms+median"), HasSubstr("this unit does not fit: pairs has no unit"));
+  EXPECT_THAT(refusal("pairs > median+1ms"), HasSubstr("write median(pairs)"));
+  EXPECT_THAT(refusal("depth>median"), HasSubstr("write median(WORD)")) << "no word of steps";
+  for (const char* const text : {"pairs-median>0", "pairs>median+1", "height>median/2", "median==leaves"})
+    EXPECT_THAT(refusal(text), HasSubstr("median alone")) << text;
+  for (const char* const text :
+       {"pairs>2*median(pairs)", "pairs>1e6*median(step_time)", "sweep_time>median/2", "step_time/median>2",
+        "1/median>30", "median>0.005", "median>5ms", "step_time-median>1ms", "median/objects>2us"})
+    EXPECT_NO_THROW((void)Expression::parse(text)) << text;
+}
+
+/// `pairs-objects` was one word.
+TEST(Expression, AMinusNeedsNoBlanks) {
+  Given moment;
+  moment.numbers = {{Variable::pairs, 9}, {Variable::objects, 5}, {Variable::op, 1}, {Variable::kind, 6}};
+  EXPECT_TRUE(is_true("pairs-objects==4", moment));
+  EXPECT_TRUE(is_true("pairs-objects-objects==-1", moment));
+  EXPECT_TRUE(is_true("pairs-1==8", moment));
+  EXPECT_TRUE(is_true("op==shift-split", moment));
+  EXPECT_TRUE(is_true("kind==all-placed", moment));
+  EXPECT_THAT(refusal("op==shift-slit"), HasSubstr("here one of these was expected"));
+  EXPECT_THAT(refusal("pairs-object_s>3"), HasSubstr("'object_s' is not known"));
+}
+
 TEST(Expression, NamesStandForWhatTheMomentSays) {
   Given moment;
   moment.numbers = {{Variable::op, static_cast<double>(Operator::shift_split)},
