@@ -1,6 +1,11 @@
 # How Kerf compiles its own sources. These options belong to the folders of this project, not to its targets, so none of
 # them reaches a program that links Kerf.
 
+# Where a project chooses no build type, as one that is as short as README.md's, nothing would be optimised.
+get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT is_multi_config AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  add_compile_options(-O2)
+endif()
 add_compile_options(-Wall -Wextra -Wconversion -Wshadow)
 if(KERF_DEVELOPER)
   add_compile_options(-Werror)

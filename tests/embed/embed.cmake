@@ -4,9 +4,9 @@ target_link_libraries(kerf_embed PRIVATE kerf::bsp)
 add_test(NAME Embed.TheSampleReportsWhatTouchesTheFloor COMMAND kerf_embed)
 set_tests_properties(Embed.TheSampleReportsWhatTouchesTheFloor PROPERTIES
   PASS_REGULAR_EXPRESSION "^step 4: 0 and 1 overlap\nstep 5: 0 and 1 overlap\nstep 6: 0 and 1 overlap\nstep 6: 0 and 2 overlap\n$")
-add_test(NAME Embed.TheSampleIsConfiguredByAddSubdirectory
-  COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/embed -B ${CMAKE_CURRENT_BINARY_DIR}/embed
-    -G ${CMAKE_GENERATOR} -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER})
+add_test(NAME Embed.KerfIsOptimisedUnlessItsProjectChooses
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/embed/check_optimised ${CMAKE_CURRENT_BINARY_DIR}/embed ${CMAKE_GENERATOR}
+    ${CMAKE_CXX_COMPILER})
 
 # The header of C alone, as C11 and as C++98.
 enable_language(C)
