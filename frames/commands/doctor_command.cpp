@@ -45,14 +45,47 @@ std::string encoders_here() {
   throw std::runtime_error(text);
 }
 
+/// Imports the module. The last line begins with what became of it; a folder of its name is no module.
+constexpr const char* kImport = R"(python3 -c '
+import sys
+try:
+    import kerf
+    if getattr(kerf, "__file__", None) is None:
+        raise ModuleNotFoundError(name="kerf")
+    print("\nfound", "kerf", kerf.__version__, "for Python", sys.version.split()[0])
+except BaseException as error:
+    is_missing = isinstance(error, ModuleNotFoundError) and error.name == "kerf"
+    print("\nmissing" if is_missing else "\nbroken", type(error).__name__ + ":", *str(error).split())
+')";
+
+std::string last_line_of(const std::string& command) {
+  std::string text = output_of(command);
+  text.resize(text.find_last_not_of('\n') + 1);
+  return text.substr(text.rfind('\n') + 1);
+}
+
 std::string module_here() {
+  std::string python;
   try {
-    return first_line_of(
-        "python3 -c 'import sys, kerf; print(\"kerf\", kerf.__version__, \"for Python\", "
-        "sys.version.split()[0])'");
+    python = first_line_of("python3 -c 'import sys; print(sys.executable)'");
   } catch (const std::runtime_error&) {
-    throw std::runtime_error("python3 does not find the module kerf");
+    throw std::runtime_error("python3 cannot be run");
   }
+  std::string answer;
+  try {
+    answer = last_line_of(kImport);
+  } catch (const std::runtime_error&) {
+    answer = "broken it ends without an answer";
+  }
+  const std::size_t blank = std::min(answer.find(' '), answer.size());
+  const std::string fate = answer.substr(0, blank);
+  answer.erase(0, blank + 1);
+  if (fate == "found") return answer;
+  if (fate == "missing") throw std::runtime_error(python + " does not find the module kerf");
+  throw OtherProblem(
+      python + " cannot import the module kerf: " + answer,
+      "only your programs in Python need it: `python3 -c \"import kerf\"` says more; numpy must be "
+      "there, and the module be built for this Python");
 }
 
 std::string room_for_files(std::uintmax_t gibibytes) {

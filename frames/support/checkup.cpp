@@ -18,6 +18,8 @@ struct ClosePipe {
 Finding look_for(const Part& part) {
   try {
     return {part.name, true, part.look(), "", part.is_needed};
+  } catch (const OtherProblem& problem) {
+    return {part.name, false, problem.what(), problem.advice, part.is_needed};
   } catch (const std::exception& error) {
     return {part.name, false, error.what(), part.advice, part.is_needed};
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace kerf {
 
@@ -11,6 +13,13 @@ struct Part {
   std::function<std::string()> look;  ///< says what is there; throws, with the reason, if nothing is
   std::string advice;                 ///< what to do if nothing is
   bool is_needed = false;             ///< for pictures and recordings; all else is for some commands
+};
+
+/// Thrown by `look` where something else than the advice of the part helps.
+struct OtherProblem : std::runtime_error {
+  OtherProblem(const std::string& what, std::string what_to_do)
+      : std::runtime_error(what), advice(std::move(what_to_do)) {}
+  std::string advice;
 };
 
 /// What was found of it.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "frames/sequence/video.h"
 #include "frames/support/errors.h"
@@ -14,6 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 const nlohmann::json& part(const nlohmann::json& report, const std::string& name) {
   for (const auto& each : report.at("parts"))
@@ -47,6 +49,42 @@ TEST(DoctorProgram, SaysWhichPythonModuleIsFound) {
   const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
   EXPECT_EQ(outcome.exit, kExitHolds);
   EXPECT_THAT(outcome.out, HasSubstr("ok      Python module   kerf 9.8.7 for Python 3."));
+}
+
+/// Runs `kerf doctor --json` where `import kerf` runs this text, or finds an empty folder.
+nlohmann::json report_with_module(const char* text) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "kerf");
+  if (text != nullptr) std::ofstream(folder.path() / "kerf" / "__init__.py") << text;
+  const std::string command = "PYTHONPATH='" + folder.path().string() + "' exec \"$0\" doctor --json";
+  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  return part(nlohmann::json::parse(outcome.out), "Python module");
+}
+
+/// They were all "python3 does not find the module kerf", with the advice to install it.
+TEST(DoctorProgram, SaysWhyAPythonModuleCannotBeImported) {
+  for (const auto& [text, problem] :
+       {std::pair("import nowhere_at_all\n",
+                  "/python3 cannot import the module kerf: ModuleNotFoundError: No module "
+                  "named 'nowhere_at_all'"),
+        std::pair("raise ImportError('another\\nPython')\n", "kerf: ImportError: another Python"),
+        std::pair("print('hello')\n", "kerf: AttributeError: module 'kerf' has no attribute '__version__'"),
+        std::pair("raise SystemExit(3)\n", "kerf: SystemExit: 3"),
+        std::pair("import os\nos.kill(os.getpid(), 9)\n", "kerf: it ends without an answer")}) {
+    const auto module = report_with_module(text);
+    EXPECT_EQ(module.at("there"), false);
+    EXPECT_THAT(module.at("what").get<std::string>(), HasSubstr(problem));
+    EXPECT_THAT(module.at("advice").get<std::string>(), Not(HasSubstr("install it")));
+  }
+}
+
+TEST(DoctorProgram, AFolderOfItsNameIsNoPythonModule) {
+  if (part(nlohmann::json::parse(run_kerf({"doctor", "--json"}).out), "Python module").at("there"))
+    GTEST_SKIP() << "python3 finds one";
+  const auto module = report_with_module(nullptr);
+  EXPECT_THAT(module.at("what").get<std::string>(), HasSubstr("/python3 does not find the module kerf"));
+  EXPECT_THAT(module.at("advice").get<std::string>(), HasSubstr("install it (Debian: python3-kerf)"));
 }
 
 TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
