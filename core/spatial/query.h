@@ -9,6 +9,7 @@
 
 #include "core/base/ids.h"
 #include "core/geometry/box.h"
+#include "core/geometry/denormal.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/vector.h"
 
@@ -89,8 +90,12 @@ struct alignas(8) Hit {
   friend constexpr bool operator==(const Hit&, const Hit&) = default;
 };
 
-/// The order of hits: by t, equal ones by id.
-constexpr bool operator<(const Hit& a, const Hit& b) { return a.t != b.t ? a.t < b.t : a.object < b.object; }
+/// The order of hits: by t, equal ones by id. Denormals count, also where the processor takes them for zero.
+constexpr bool operator<(const Hit& a, const Hit& b) {
+  const double t_of_a = wide(a.t);
+  const double t_of_b = wide(b.t);
+  return t_of_a != t_of_b ? t_of_a < t_of_b : a.object < b.object;
+}
 
 /// The `count` objects whose boxes are nearest to a point, no farther than `max_distance`. The distance to a
 /// box that holds the point is 0.
@@ -122,7 +127,7 @@ struct Filter {
   std::span<const std::uint32_t> categories;
   /// Asked last, for objects that the query would report; null accepts all. It may be called for an object
   /// that is not reported in the end, since others are nearer. It must not throw. Like a visitor it may be
-  /// called while results are rounded to nearest, whatever the caller has chosen.
+  /// called while results are rounded to nearest, or denormals are kept, whatever the caller has chosen.
   bool (*accepts)(void* context, ObjectId object) = nullptr;
   void* context = nullptr;
 

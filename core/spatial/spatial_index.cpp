@@ -111,6 +111,7 @@ Box<D> clamp_to_finite(Box<D> box) {
 
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Box<D>& box, HandOn when, Take take) {
+  const UsualComparisons comparisons;
   const Box<D> region = clamp_to_finite(box);
   find_numbers<std::uint32_t>(
       when, [&](FoundRoom<std::uint32_t>& room) { find_overlaps(blocks.view(), region, room); }, take);

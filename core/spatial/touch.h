@@ -7,7 +7,8 @@ namespace kerf {
 
 // The definitions of what queries find: in real arithmetic on the given floats, closed. What a box touches,
 // every box around it touches, too. The queries are valid (`check`), and so is the box. The processor rounds
-// to nearest (NearestRounding).
+// to nearest (NearestRounding), and whether it takes denormals for zero changes only what a region touches
+// that is a box (UsualComparisons) and the t of a hit.
 
 template <int D>
 constexpr bool touches(const Box<D>& region, const Box<D>& box) {

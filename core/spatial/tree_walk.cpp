@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/float_mode.h"
+#include "core/geometry/denormal.h"
 #include "core/spatial/touch.h"
 
 namespace kerf {
@@ -23,7 +24,7 @@ bool is_stored(const ObjectTable<D>& stored, const ObjectTable<D>& now, ObjectId
 
 template <int D>
 double key_of_hit(const Cast<D>& cast, const Box<D>& box) {
-  return touches(cast, box) ? static_cast<double>(entry_of(cast, box)) : kNever;
+  return touches(cast, box) ? wide(entry_of(cast, box)) : kNever;
 }
 
 }  // namespace
@@ -132,6 +133,7 @@ QueryStatus TreeWalk<D>::walk_region(const Region& region, std::vector<ObjectId>
 
 template <int D>
 QueryStatus TreeWalk<D>::overlaps(const Box<D>& box, std::vector<ObjectId>& found) {
+  const UsualComparisons comparisons;
   return walk_region(box, found);
 }
 

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/bsp/bsp.h"
 #include "core/kernels/machine.h"
 #include "core/spatial/spatial_index.h"
 #include "core/spatial/touch.h"
+#include "core/spatial/tree_walk.h"
 #include "tests/hard/flush_to_zero.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -47,6 +49,13 @@ class TinyQueries : public testing::Test {
     const Vector<kD> b = point();
     return join(Box<kD>{a, a}, Box<kD>{b, b});
   }
+  /// Of no extent, or so little that a processor may take it for none.
+  Box<kD> small_box() {
+    const Vector<kD> min = point();
+    Vector<kD> max = min;
+    for (Scalar& x : max.value) x = std::nextafter(x, random_.below(2) == 0 ? x : 1.0F);
+    return {min, max};
+  }
   /// Not tiny: those are looked at box by box.
   Vector<kD> direction() {
     Vector<kD> way;
@@ -71,6 +80,14 @@ class TinyQueries : public testing::Test {
     const FlushToZero flush(true);
     std::vector<ObjectId> found;
     ASSERT_EQ(index_.overlaps(region, found), QueryStatus::ok);
+    EXPECT_EQ(found, all);
+    found.clear();
+    auto take = [&found](ObjectId object) {
+      found.push_back(object);
+      return true;
+    };
+    ASSERT_EQ(index_.visit(region, make_visitor(take)), QueryStatus::ok);
+    std::ranges::sort(found);
     EXPECT_EQ(found, all);
   }
   void judge_cast(const Cast<kD>& cast) {
@@ -110,11 +127,48 @@ TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
     for (int round = 0; round < 200 && !this->HasFailure(); ++round) {
       this->judge_cast(Ray<TestFixture::kD>{this->point(), this->direction()});
       this->judge_cast(SweptBox<TestFixture::kD>{this->box(), this->direction(), 0x1p-60F});
+      this->judge_region(this->box());
+      this->judge_region(this->small_box());
       this->judge_region(Sphere<TestFixture::kD>{this->point(), std::abs(this->number())});
       this->judge_nearest({this->point(), 1 + static_cast<std::size_t>(round) % 50});
       this->judge_nearest({this->point(), 200, std::abs(this->number())});
       const Plane<TestFixture::kD> plane{this->direction(), this->number()};
       this->judge_region(Frustum<TestFixture::kD>{{&plane, 1}});
+    }
+  }
+}
+
+/// The walk through the tree finds the same, at the same t.
+TYPED_TEST(TinyQueries, AreWalkedAlikeThoughDenormalsAreZero) {
+  Bsp<TypeParam::value> bsp(tuned_config());
+  for (std::uint32_t id = 0; id < this->table_.bound(); ++id)
+    ASSERT_EQ(bsp.insert({id}, this->table_.box({id}), Mobility::moving), Status::ok);
+  bsp.step();
+  TreeWalk<TypeParam::value> walk(bsp.tree(), bsp.objects());
+  for (int round = 0; round < 500 && !this->HasFailure(); ++round) {
+    const Box<TypeParam::value> box = round % 2 == 0 ? this->box() : this->small_box();
+    const Ray<TypeParam::value> ray{this->point(), this->direction()};
+    const Nearest<TypeParam::value> nearest{this->point(), 1 + static_cast<std::size_t>(round) % 50};
+    for (const auto where : {FlushToZero::Where::everywhere, FlushToZero::Where::operands}) {
+      std::array<std::vector<ObjectId>, 2> overlapped;
+      std::array<std::vector<Hit>, 2> hits;
+      std::array<std::vector<Neighbour>, 2> neighbours;
+      std::array<Hit, 2> first;
+      {
+        const FlushToZero flush(true, where);
+        ASSERT_EQ(this->index_.overlaps(box, overlapped[0]), QueryStatus::ok);
+        ASSERT_EQ(walk.overlaps(box, overlapped[1]), QueryStatus::ok);
+        ASSERT_EQ(this->index_.hits(ray, hits[0]), QueryStatus::ok);
+        ASSERT_EQ(walk.hits(ray, hits[1]), QueryStatus::ok);
+        ASSERT_EQ(this->index_.first_hit(ray, first[0]), QueryStatus::ok);
+        ASSERT_EQ(walk.first_hit(ray, first[1]), QueryStatus::ok);
+        ASSERT_EQ(this->index_.nearest(nearest, neighbours[0]), QueryStatus::ok);
+        ASSERT_EQ(walk.nearest(nearest, neighbours[1]), QueryStatus::ok);
+      }
+      EXPECT_EQ(overlapped[1], overlapped[0]);
+      EXPECT_EQ(hits[1], hits[0]);
+      EXPECT_EQ(first[1], first[0]);
+      EXPECT_EQ(neighbours[1], neighbours[0]);
     }
   }
 }
