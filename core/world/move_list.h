@@ -18,10 +18,12 @@ class MoveList {
     boxes_.push_back(box);
   }
   /// Makes all moves that were added since the last call, in that order. Those that fail, of a removed object
-  /// or to a box that is none, change nothing. Returns the first failure, as World::move does.
+  /// or to a box that is none, change nothing. Returns the first failure, as World::move does; all moves are
+  /// kept for the next call if the world is busy.
   WorldStatus send(World<D>& world) {
     objects_.resize(boxes_.size());
     const WorldStatus status = world.move(objects_, boxes_);
+    if (status == WorldStatus::busy) return status;
     objects_.clear();
     boxes_.clear();
     return status;

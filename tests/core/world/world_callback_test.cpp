@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/world/move_list.h"
 #include "core/world/world.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -97,6 +98,21 @@ TYPED_TEST(WorldCallback, EachRequestOfABatchIsBusy) {
     EXPECT_EQ(statuses, all_busy);
   });
   EXPECT_EQ(this->saved(), this->expected);
+}
+
+TYPED_TEST(WorldCallback, AMoveListKeepsItsMovesWhileTheWorldIsBusy) {
+  auto& asker = this->world;
+  MoveList<TypeParam::value> moves;
+  moves.add(this->handles[0], this->elsewhere);
+  moves.add(this->handles[1], this->elsewhere);
+  this->step_with([&] { EXPECT_EQ(moves.send(asker), WorldStatus::busy); });
+  EXPECT_EQ(this->saved(), this->expected);
+  EXPECT_EQ(moves.send(asker), WorldStatus::ok);
+  EXPECT_EQ(*asker.box(this->handles[0]), this->elsewhere);
+  EXPECT_EQ(*asker.box(this->handles[1]), this->elsewhere);
+  EXPECT_EQ(asker.move(this->handles[0], this->box), WorldStatus::ok);
+  EXPECT_EQ(moves.send(asker), WorldStatus::ok);
+  EXPECT_EQ(*asker.box(this->handles[0]), this->box) << "moves are made once";
 }
 
 TYPED_TEST(WorldCallback, WhatReturnsNoStatusThrows) {
