@@ -13,6 +13,14 @@ namespace {
 
 constexpr kerf_world_options kDefaults{0, KERF_PAIRS_OF_FAT_BOXES, 1, 0, nullptr};
 
+constexpr std::string_view kMore = " ...";
+
+/// How much of a text fits before `kMore`: whole words, if there is a blank.
+std::size_t shortened(std::string_view text, std::size_t room) {
+  const std::size_t most = room - kMore.size();
+  return std::min(text.rfind(' ', most), most);
+}
+
 /// How a call ended: `why`, or what the status means.
 kerf_status tell(kerf_error* error, kerf_status status, std::string_view why) {
   if (error == nullptr || error->size < kLeastError || error->size > kMostSize) return status;
@@ -20,9 +28,12 @@ kerf_status tell(kerf_error* error, kerf_status status, std::string_view why) {
   error->status = status;
   const std::size_t room =
       std::min<std::size_t>(error->size - offsetof(kerf_error, text), sizeof error->text);
-  const std::size_t length = std::min(room - 1, text.size());
+  const bool fits = text.size() < room;
+  const std::size_t length = fits ? text.size() : shortened(text, room - 1);
+  const std::string_view end = fits ? "" : kMore;
   std::memcpy(error->text, text.data(), length);
-  error->text[length] = '\0';
+  std::memcpy(error->text + length, end.data(), end.size());
+  error->text[length + end.size()] = '\0';
   return status;
 }
 

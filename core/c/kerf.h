@@ -108,7 +108,8 @@ typedef struct kerf_pair {
   uint32_t reserved;
 } kerf_pair;
 
-/* How a call ended, as a sentence, good or bad. Give NULL if only the status matters. */
+/* How a call ended, as a sentence, good or bad; one that is too long ends with " ...". Give NULL if only the
+ * status matters. */
 typedef struct kerf_error {
   uint32_t size;
   kerf_status status;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "core/c/kerf.h"
@@ -42,6 +43,32 @@ TEST(CInterface, OptionsThatCannotWorkAreNamed) {
   EXPECT_NE(why([](auto& options) { options.threads = 257; }).find("at most 256"), std::string::npos);
   EXPECT_NE(why(nothing, 4).find("dimension"), std::string::npos);
   EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
+}
+
+/// The list of parameters was cut within a word.
+TEST(CInterface, ATextThatIsTooLongEndsAfterAWord) {
+  const auto why = [](std::uint32_t dimension, const std::string& config, std::size_t room) {
+    kerf_world_options options{};
+    EXPECT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);
+    options.config = config.c_str();
+    kerf_error error{};
+    EXPECT_EQ(kerf_error_init(&error, offsetof(kerf_error, text) + room), KERF_OK);
+    kerf_world* world = nullptr;
+    EXPECT_EQ(kerf_world_create(dimension, &options, &world, &error), KERF_BAD_OPTION);
+    return std::string(error.text);
+  };
+  constexpr std::size_t kRoom = sizeof kerf_error::text;
+  const std::string whole = why(7, "", kRoom);
+  EXPECT_EQ(why(7, "", whole.size() + 1), whole);
+  for (std::size_t room = 16; room <= whole.size(); ++room) {
+    const std::string text = why(7, "", room);
+    ASSERT_LT(text.size(), room);
+    ASSERT_TRUE(text.ends_with(" ...")) << text;
+    EXPECT_TRUE(whole.starts_with(text.substr(0, text.size() - 3))) << "whole words: " << text;
+  }
+  EXPECT_TRUE(why(2, "what=1", kRoom).ends_with(" ..."));
+  EXPECT_GT(why(2, "what=1", kRoom).size(), kRoom - 30);
+  EXPECT_EQ(why(2, std::string(300, 'x'), kRoom).size(), kRoom - 1) << "there is no blank";
 }
 
 /// What a callback saw of a batch.
