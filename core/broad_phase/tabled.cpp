@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/float_mode.h"
+
 namespace kerf {
 
 /// The list is out of date only if the set of placed objects changes.
@@ -15,6 +17,7 @@ Status Tabled<D>::note(ObjectId object, Status status) {
 
 template <int D>
 Status Tabled<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
+  const DefaultFloats floats;
   return note(object, table_.insert(object, box, mobility));
 }
 
@@ -25,6 +28,7 @@ Status Tabled<D>::remove(ObjectId object) {
 
 template <int D>
 Status Tabled<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  const DefaultFloats floats;
   Status first = Status::ok;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const Status status = note(objects[k], table_.move(objects[k], boxes[k]));
@@ -47,6 +51,7 @@ void Tabled<D>::list_placed() {
 
 template <int D>
 void Tabled<D>::step() {
+  const DefaultFloats floats;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = times_arranging_ ? Clock::now() : Clock::time_point{};
   if (list_is_old_) list_placed();

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/base/float_mode.h"
 #include "core/base/pair_list.h"
 #include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
@@ -14,7 +15,10 @@ template <int D>
 class Tabled : public BroadPhase<D> {
  public:
   Status insert(ObjectId object, const Box<D>& box, Mobility mobility) final;
-  Status move(ObjectId object, const Box<D>& box) final { return note(object, table_.move(object, box)); }
+  Status move(ObjectId object, const Box<D>& box) final {
+    const UsualComparisons floats;
+    return note(object, table_.move(object, box));
+  }
   Status remove(ObjectId object) final;
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) final;
   void step() final;

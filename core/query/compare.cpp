@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/median.h"
 #include "core/base/shortest_text.h"
 #include "core/recording/shape_rows.h"
@@ -221,6 +222,7 @@ void compare_given(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t s
 
 template <int D>
 RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
+  const DefaultFloats floats;
   RecordingComparison result;
   result.a = summary(a.rows(), a.info().complete);
   result.b = summary(b.rows(), b.info().complete);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/query/criteria_text.h"
 #include "core/query/history.h"
 #include "core/query/text.h"
@@ -74,6 +75,7 @@ std::string ballot_text(const EventExplanation<D>& e) {
 
 template <int D>
 EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id) {
+  const DefaultFloats floats;
   EventExplanation<D> result;
   result.event = replayer.recording().event(id);
   if (const auto object = object_of(result.event))

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/query/criteria_text.h"
 #include "core/query/text.h"
 #include "core/tree/criteria.h"
@@ -68,6 +69,7 @@ NodeExplanation<D> explain(RecordingReader<D>& recording, const Position& at, co
 
 template <int D>
 NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id) {
+  const DefaultFloats floats;
   replayer.seek(step);
   return explain(replayer.recording(), Position::end_of(step), replayer.tree().tree(),
                  replayer.tree().config(), id);
@@ -76,6 +78,7 @@ NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeI
 template <int D>
 NodeExplanation<D> explain_node(RecordingReader<D>& recording, const Position& at, const BspState<D>& state,
                                 NodeId id) {
+  const DefaultFloats floats;
   return explain(recording, at, state.tree, state.config, id);
 }
 

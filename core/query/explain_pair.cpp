@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
 #include "core/replay/cursor.h"
@@ -212,6 +213,7 @@ std::string place_text(const PairExplanation<D>& e, const GivenNames& names) {
 
 template <int D>
 PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair) {
+  const DefaultFloats floats;
   PairExplanation<D> result;
   result.step = step;
   result.pair = pair;
@@ -277,6 +279,7 @@ std::string comparison_text(const PairExplanation<D>& e, const RecordingInfo& in
 
 template <int D>
 std::string to_text(const PairExplanation<D>& e, const RecordingInfo& info) {
+  const DefaultFloats floats;
   const GivenNames& names = info.names;
   const bool is_pair = e.reported && (e.is_given_pair || !e.is_pair);
   const std::string verdict = e.undecided_axis ? " may be a pair" : is_pair ? " are a pair" : " are no pair";

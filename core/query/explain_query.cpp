@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
 
@@ -236,6 +237,7 @@ std::size_t QueryExplanation<D>::tested() const {
 template <int D>
 QueryExplanation<D> explain_query(const Tree<D>& tree, const ObjectTable<D>& objects,
                                   const AskedQuery<D>& query) {
+  const DefaultFloats floats;
   QueryExplanation<D> result;
   result.query = query;
   TreeWalk<D> walk(tree, objects);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/float_mode.h"
 #include "core/query/text.h"
 #include "core/query/their_parts.h"
 
@@ -141,6 +142,7 @@ class Searches {
 template <int D>
 std::string explain_their_search(const TheirStructure<D>& structure, const ObjectTable<D>& objects,
                                  const Pair& pair, const GivenNames& names) {
+  const DefaultFloats floats;
   if (!objects.is_placed(pair.a) || !objects.is_placed(pair.b)) return "";
   return Searches<D>(structure, objects, names).run(pair);
 }

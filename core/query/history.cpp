@@ -1,5 +1,6 @@
 #include "core/query/history.h"
 
+#include "core/base/float_mode.h"
 #include "core/replay/judge_theirs.h"
 
 namespace kerf {
@@ -21,6 +22,7 @@ bool apply_those_of(const StepRequests<D>& requests, const Pair& pair, ObjectTab
 
 template <int D>
 std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& pair, std::uint32_t up_to) {
+  const DefaultFloats floats;
   std::vector<PairChange> history;
   ObjectTable<D> table(recording.info().volume);
   bool was = false;

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "core/base/float_mode.h"
 #include "core/recording/recorder.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
@@ -151,6 +152,7 @@ std::size_t Scenario<D>::requests() const {
 
 template <int D>
 Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last) {
+  const DefaultFloats floats;
   RecordingReader<D>& recording = replayer.recording();
   Scenario<D> scenario{recording.info(), {}, {}};
   if (recording.shape_count() > 0)
@@ -233,6 +235,7 @@ Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_
 
 template <int D>
 std::vector<Acting> acting_operators(const Scenario<D>& scenario) {
+  const DefaultFloats floats;
   std::vector<Acting> acting;
   Bsp<D, EventLog> tree(scenario.info.config, scenario.info.volume);
   for (std::size_t k = 0; k < scenario.steps.size(); ++k) {

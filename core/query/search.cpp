@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/query/object_bound.h"
 #include "core/query/recorded_moment.h"
 
@@ -79,6 +80,7 @@ std::uint32_t Search<D>::most_objects() const {
 template <int D>
 std::optional<Position> Search<D>::forward(const Expression& expression, const Position& from,
                                            const Progress& progress) {
+  const DefaultFloats floats;
   check(expression);
   const Range range{from, Position::end_of(recording_->steps() + 1), false};
   for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
@@ -91,6 +93,7 @@ std::optional<Position> Search<D>::forward(const Expression& expression, const P
 template <int D>
 std::optional<Position> Search<D>::backward(const Expression& expression, const Position& from,
                                             const Progress& progress) {
+  const DefaultFloats floats;
   check(expression);
   const Range range{Position{0, 0}, from, true};
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
@@ -103,6 +106,7 @@ std::optional<Position> Search<D>::backward(const Expression& expression, const 
 template <int D>
 std::optional<Position> Search<D>::forward_change(const Expression& expression, const Position& from,
                                                   Change change, const Progress& progress) {
+  const DefaultFloats floats;
   check(expression);
   std::optional<double> before = last_value(expression, from);
   for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
@@ -119,6 +123,7 @@ std::optional<Position> Search<D>::forward_change(const Expression& expression, 
 template <int D>
 std::optional<Position> Search<D>::backward_change(const Expression& expression, const Position& from,
                                                    Change change, const Progress& progress) {
+  const DefaultFloats floats;
   check(expression);
   std::optional<ValueAt> later;  // whether it is a change depends on the moments before it
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
@@ -170,6 +175,7 @@ std::optional<double> Search<D>::last_value(const Expression& expression, const 
 
 template <int D>
 double Search<D>::value(const Expression& expression, const Position& at) {
+  const DefaultFloats floats;
   check(expression);
   double result = std::numeric_limits<double>::quiet_NaN();
   if (at.step == 0) return result;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/base/shortest_text.h"
 #include "core/query/structure_measures.h"
 
@@ -373,6 +374,7 @@ std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
                                             std::span<const KnownObject<D>> objects,
                                             std::span<const Pair> pairs, const StructureLimits& limits,
                                             const StructureNames& names) {
+  const DefaultFloats floats;
   return Checker<D>(parts, objects, pairs, limits, names).run();
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/query/their_parts.h"
 
 namespace kerf {
@@ -13,6 +14,7 @@ namespace kerf {
 template <int D>
 std::vector<TheirFault> find_their_faults(Replayer<D>& replayer, const StructureLimits& limits,
                                           const std::function<bool(std::uint32_t)>& stop) {
+  const DefaultFloats floats;
   using Key = std::tuple<StructureFaultKind, std::optional<GivenId>, ObjectId>;
   std::vector<TheirFault> faults;
   std::map<Key, std::size_t> known;

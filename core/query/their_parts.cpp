@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/float_mode.h"
+
 namespace kerf {
 namespace {
 
@@ -184,6 +186,7 @@ template <int D>
 std::vector<StructureFault> check_theirs(const TheirStructure<D>& structure, const ObjectTable<D>& objects,
                                          const GivenNames& names, const TheirPast<D>& past,
                                          StructureLimits limits) {
+  const DefaultFloats floats;
   const TheirParts<D> theirs = parts_of(structure);
   limits.margins = margins_to_judge(structure, theirs, past, limits.margin);
   limits.margin = 0;

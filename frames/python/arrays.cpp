@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 
+#include "core/base/float_mode.h"
 #include "core/kernels/box_rows.h"
 
 namespace kerf::python {
@@ -121,6 +122,7 @@ py::array_t<double> number_array(const py::handle& given, const std::string& wha
 template <int D>
 BoxRows<D>::BoxRows(const py::handle& given, const std::string& what, AppendBuffer<Box<D>>* room) {
   static_assert(sizeof(Box<D>) == 2 * D * sizeof(float));
+  const DefaultFloats usual;
   const py::array array = as_array(given, what);
   check_box_shape(array, D, what);
   check_number_type(array, what);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/float_mode.h"
 #include "core/broad_phase/all_pairs.h"
 #include "core/replay/oracle.h"
 #include "frames/python/arrays.h"
@@ -110,6 +111,7 @@ std::vector<RowPair> pairs_of(const py::array& array, const std::string& opening
 }  // namespace
 
 RowTruth true_pairs(const py::array& boxes, Touching touching) {
+  const DefaultFloats floats;
   RowTruth truth;
   truth.rows = static_cast<std::size_t>(boxes.shape(0));
   const auto dimension = static_cast<std::size_t>(boxes.shape(2));

@@ -1,6 +1,9 @@
 """Boxes and recordings that several tests use."""
 
+import contextlib
+import ctypes
 import itertools
+import platform
 
 import numpy as np
 import pytest
@@ -29,6 +32,23 @@ def as_set(pairs):
     found = {tuple(pair) for pair in pairs.tolist()}
     assert len(found) == len(pairs)
     return found
+
+
+@contextlib.contextmanager
+def denormals_are_zero():
+    """As libraries leave a thread that were compiled for fast mathematics: in operands and in results."""
+    if platform.machine() != "x86_64":
+        pytest.skip("how floats are computed is set by the control register of x86-64")
+    libm = ctypes.CDLL("libm.so.6")
+    usual = (ctypes.c_uint32 * 8)()  # fenv_t, of which the last word is MXCSR
+    libm.fegetenv(usual)
+    changed = (ctypes.c_uint32 * 8)(*usual)
+    changed[7] |= 0x8040
+    libm.fesetenv(changed)
+    try:
+        yield
+    finally:
+        libm.fesetenv(usual)
 
 
 @pytest.fixture(scope="session")

@@ -27,6 +27,7 @@
 #include "core/related/self_organising_tree.h"
 #include "core/related/shifting_cuts.h"
 #include "core/related/sphere_tree.h"
+#include "tests/hard/flush_to_zero.h"
 #include "tests/support/boxes.h"
 #include "tests/support/checked.h"
 #include "tests/support/known_boxes.h"
@@ -143,6 +144,21 @@ TYPED_TEST(OwnBroadPhase, AgreesWhenObjectsOnlyGo) {
   }
   this->crowd_.heal();
   this->step();
+}
+
+TYPED_TEST(OwnBroadPhase, KeepsBoxesADenormalApartWhereACallerTakesDenormalsForZero) {
+  constexpr Scalar kTiny = 0x1p-140F;
+  Box<TestFixture::kDimension> left = test::box_at<TestFixture::kDimension>({}, 1);
+  Box<TestFixture::kDimension> right = left;
+  left.max[0] = kTiny;
+  right.min[0] = 2 * kTiny;
+  const FlushToZero flush(true);
+  static_cast<void>(this->subject_.insert({0}, left, Mobility::moving));
+  static_cast<void>(this->subject_.insert({1}, right, Mobility::moving));
+  this->subject_.step();
+  EXPECT_TRUE(this->subject_.pairs().empty());
+  right.max[0] = kTiny;
+  EXPECT_EQ(this->subject_.move({1}, right), Status::quarantined);
 }
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBoxesOfVeryDifferentSizes) {
