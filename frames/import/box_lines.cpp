@@ -162,11 +162,8 @@ BoxLine BoxLines::read() const {
   const auto id = object();
   if (id) line.object = *id;
   if (!table_.is_blank(kFixed)) line.fixed = table_.boolean(kFixed);
-  if (!table_.is_blank(kCategory) || !table_.is_blank(kMask)) {
-    line.filter.emplace();
-    if (!table_.is_blank(kCategory)) line.filter->category = table_.bits(kCategory);
-    if (!table_.is_blank(kMask)) line.filter->mask = table_.bits(kMask);
-  }
+  if (!table_.is_blank(kCategory)) line.category = table_.bits(kCategory);
+  if (!table_.is_blank(kMask)) line.mask = table_.bits(kMask);
   line.turn = read_turn();
   read_bounds(line);
   if (!id && line.kind == BoxLine::Kind::box) table_.reject("the box has no object");

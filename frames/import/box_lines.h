@@ -41,9 +41,10 @@ struct BoxLine {
   GivenId object;
   std::array<double, 3> min{};  ///< those of a half blank box are NaN where they are blank
   std::array<double, 3> max{};
-  std::optional<bool> fixed;          ///< none: not said
-  std::optional<GivenFilter> filter;  ///< none: not said
-  /// How its shape is turned: in 2D an angle in radians, in 3D a quaternion w, x, y, z; none: not said.
+  std::optional<bool> fixed;  ///< none, here and of what follows: not said
+  std::optional<std::uint64_t> category;
+  std::optional<std::uint64_t> mask;
+  /// How its shape is turned: in 2D an angle in radians, in 3D a quaternion w, x, y, z.
   std::optional<std::array<double, 4>> turn;
 };
 

@@ -175,7 +175,8 @@ class Import {
   void note_change(ObjectId object, Played<D>& played, const BoxLine& line) {
     if (!played.changed_box) changed_.push_back(object);
     played.changed_box = true;
-    if (line.filter) played.filter = *line.filter;
+    if (line.category) played.filter.category = *line.category;
+    if (line.mask) played.filter.mask = *line.mask;
   }
 
   /// What is NaN has no other number in doubles.

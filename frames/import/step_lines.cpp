@@ -77,7 +77,8 @@ void StepLines::unite(BoxLine& first, const BoxLine& second, const GivenStep& st
                     ", and united it is one; give each box an object of its own");
   };
   check(first.fixed, second.fixed, "is both fixed and moving");
-  check(first.filter, second.filter, "has boxes of different category or mask");
+  check(first.category, second.category, "has boxes of different category or mask");
+  check(first.mask, second.mask, "has boxes of different category or mask");
   check(first.turn, second.turn, "is turned in two ways");
   join_boxes(first, second);
 }

@@ -206,9 +206,23 @@ TEST_F(ImportProgram, BoxesOfWhichTheFiltersOrTurnsDifferAreNotUnited) {
   EXPECT_THAT(said("2,,", "1,,"), HasSubstr("different category or mask"));
   EXPECT_THAT(said(",,", "1,0,"), HasSubstr("different category or mask"));
   EXPECT_THAT(said(",,0.5", ",,0.25"), HasSubstr("object 0 is turned in two ways in step 1"));
-  for (const std::string second : {"2,3,0.5", ",,", "2,3,", ",,0.5"})
+  for (const std::string second : {"2,3,0.5", ",,", "2,3,", ",,0.5", "2,,", ",3,"})
     EXPECT_THAT(imported("a", write("b.csv", head + "2,3,0.5\n1,0,5,6,0,1," + second + "\n"), {"--unite"}),
                 HasSubstr("united"));
+}
+
+/// A blank mask was all bits: an engine was accused of a miss, or a miss of it was ignored.
+TEST_F(ImportProgram, ABlankCategoryOrMaskIsAsBefore) {
+  const std::string head = "step,object,min_x,max_x,min_y,max_y,category,mask\n";
+  const std::string none = write("none.csv", "step,a,b\n");
+  const auto verdict = [&](const std::string& first, const std::string& later) {
+    const std::string lines =
+        head + "1,0,0,1,0,1," + first + "\n1,1,0,1,0,1,1,7\n2,0,0,1.5,0,1," + later + "\n";
+    return imported("a", write("a.csv", lines), {"--pairs", none});
+  };
+  EXPECT_THAT(verdict("1,4", "1,"), HasSubstr("0 missed, 0 extra, 0 twice, 2 ignored"));
+  EXPECT_THAT(verdict("8,1", ",1"), HasSubstr("0 missed, 0 extra, 0 twice, 2 ignored"));
+  EXPECT_THAT(verdict("1,4", "1,1"), HasSubstr("1 missed, 0 extra, 0 twice, 1 ignored"));
 }
 
 TEST_F(ImportProgram, WhatOverlapsAJoinedBoxIsSaidToBeAPair) {
