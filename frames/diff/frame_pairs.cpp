@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 
@@ -49,8 +50,11 @@ void check_manifest(const fs::path& path, PairedFrames& result) {
     return;
   }
   const fs::path folder = path.parent_path();
+  std::set<std::string> names;
   for (const auto& frame : json["frames"]) {
     const std::string name = frame["file"];
+    if (!names.insert(name).second)
+      result.faults.push_back("'" + name + "' is named more than once by " + path.string());
     if (name.empty() || !fs::is_regular_file(folder / name))
       result.faults.push_back("'" + name + "' is not in " + folder.string() + ", though its " +
                               kManifestName + " names it");

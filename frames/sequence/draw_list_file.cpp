@@ -1,9 +1,12 @@
 #include "frames/sequence/draw_list_file.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/files/part_file.h"
 #include "core/files/whole_file.h"
 #include "frames/page/json.h"
@@ -23,8 +26,13 @@ std::string hex_color(Color c) {
 }
 
 Color parse_hex(const std::string& text) {
-  unsigned value = 0;
-  if (std::sscanf(text.c_str(), "#%8x", &value) != 1) throw std::runtime_error("'" + text + "' is no colour");
+  constexpr int kHexadecimal = 16;
+  constexpr std::size_t kLength = 9;  // #, and two digits for each of red, green, blue and opacity
+  std::uint32_t value = 0;
+  const char* const end = text.data() + text.size();
+  const bool has_form = text.size() == kLength && text.front() == '#';
+  if (!has_form || std::from_chars(text.data() + 1, end, value, kHexadecimal).ptr != end)
+    throw std::runtime_error("'" + text + "' is no colour");
   const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(value >> shift); };
   return {byte(24), byte(16), byte(8), byte(0)};
 }
@@ -95,6 +103,17 @@ StoredIds parse(const std::filesystem::path& path) {
   }
 }
 
+/// Such a pixel would be taken for ground.
+void check_numbers(const FrameIds& ids, const std::filesystem::path& path) {
+  std::uint32_t highest = 0;
+  for (std::size_t i = 0; i < ids.image.rgba.size(); i += 4)
+    highest = std::max(highest, item_of(ids.image.rgba.data() + i));
+  if (highest > ids.list.items.size())
+    throw std::runtime_error("cannot use " + path.string() + ": a pixel is of item " +
+                             std::to_string(highest) + ", and the draw list has " +
+                             counted(ids.list.items.size(), "item"));
+}
+
 }  // namespace
 
 void write_ids(const std::filesystem::path& frame, const StoredIds& stored) {
@@ -110,6 +129,7 @@ std::optional<StoredIds> read_ids(const std::filesystem::path& frame) {
   if (!has_image && !has_list) return std::nullopt;
   StoredIds stored = parse(draw_list_path(frame));
   stored.ids.image = read_png(ids_path(frame));
+  check_numbers(stored.ids, ids_path(frame));
   return stored;
 }
 

@@ -68,6 +68,7 @@ std::vector<PngChunk> walk_png_chunks(std::span<const std::uint8_t> bytes,
   std::vector<PngChunk> unseen;
   std::size_t at = png::kSignature.size();
   std::size_t compressed = 0;
+  bool has_pixels = false;
   const std::uint8_t* header = nullptr;
   for (std::string type; type != "IEND";) {
     const Bytes chunk = chunk_at(bytes, at, path);
@@ -78,8 +79,9 @@ std::vector<PngChunk> walk_png_chunks(std::span<const std::uint8_t> bytes,
       header = data.data();
     }
     if (type == "IDAT") compressed += data.size();
+    has_pixels |= type == "IDAT";
     if (!std::ranges::count(kDecoded, type) && !std::ranges::count(kRemarks, type))
-      unseen.push_back({type, {data.begin(), data.end()}});
+      unseen.push_back({type, {data.begin(), data.end()}, has_pixels});
     at += chunk.size();
   }
   check_header(path, header, compressed);

@@ -12,6 +12,7 @@ namespace kerf {
 struct PngChunk {
   std::string type;
   std::vector<std::uint8_t> data;
+  bool after_pixels = false;  ///< where some programs heed it and others do not
   friend bool operator==(const PngChunk&, const PngChunk&) = default;
 };
 

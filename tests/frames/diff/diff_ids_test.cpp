@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/files/whole_file.h"
 #include "frames/sequence/draw_list_file.h"
 #include "frames/sequence/sidecar.h"
 #include "tests/frames/program.h"
@@ -82,6 +83,30 @@ TEST_F(DiffIds, OtherIdsBesideTheSamePixelsAreADifference) {
   expect_said(diff(), "recoloured");
   std::ofstream(draw_list_path(test() / "a.png")) << "{}";
   EXPECT_EQ(diff().exit, 2);
+}
+
+/// They were taken for ground, and so was the ground of the other picture.
+TEST_F(DiffIds, APixelOfAnItemThatIsNotThereIsRefused) {
+  write_png(ids_path(test() / "a.png"), make_image(16, 16, 0xff000002U), Replace::earlier);
+  for (const std::vector<std::string>& options : {std::vector<std::string>(), {"--approve"}}) {
+    EXPECT_EQ(diff(options).exit, 2);
+    EXPECT_THAT(diff(options).err,
+                HasSubstr("a.ids.png: a pixel is of item 2, and the draw list has 1 item"));
+  }
+  EXPECT_EQ(read_png(ids_path(reference() / "a.png")).rgba, ids().ids.image.rgba);
+}
+
+TEST_F(DiffIds, AColourIsAHashAndEightDigits) {
+  const fs::path list = draw_list_path(test() / "a.png");
+  const std::string text = read_whole_file(list);
+  const std::string color = "#000000ff";
+  ASSERT_NE(text.find(color), std::string::npos) << text;
+  for (const std::string other :
+       {"#000000ff or whatever", "#ff", "000000ff", "#000000f", "#000000fg", "#-00000ff", "# 00000ff", ""}) {
+    std::ofstream(list) << std::string(text).replace(text.find(color), color.size(), other);
+    EXPECT_EQ(diff().exit, 2) << other;
+    EXPECT_THAT(diff().err, HasSubstr("'" + other + "' is no colour"));
+  }
 }
 
 TEST_F(DiffIds, ApprovingTakesThemOrTakesThemAway) {

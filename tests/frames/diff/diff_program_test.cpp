@@ -122,6 +122,8 @@ TEST_F(DiffProgram, WhatCannotBeReadIsUnusable) {
   write_png(in_test(1), spotted(9, 0));
   manifest(R"({"frames": [{"file": "f0.png"}, {"file": "f3.png"}]})");
   expect_unusable("'f3.png' is not in");
+  manifest(R"({"frames": [{"file": "f0.png", "step": 1}, {"file": "f0.png", "step": 2}]})");
+  expect_unusable("'f0.png' is named more than once by");
   for (const char* const mistyped :
        {"{", R"({"frames": [{"file": 3}]})", R"({"frames": [3]})", R"({"frames": [], "complete": 1})"}) {
     manifest(mistyped);

@@ -117,6 +117,10 @@ TEST(StoredPicture, ChunksThatMakeMoreOfThePixelsAreKeptAndRemarksAreNot) {
     other.before = {{type, "same"}};
     EXPECT_EQ(different_chunks(read(file), read(other)), type);
     EXPECT_THAT(refusal(file), HasSubstr(type));
+    PngFile later = plain();
+    later.after = file.before;
+    EXPECT_EQ(different_chunks(read(file), read(later)), type) << "behind the pixels some programs heed none";
+    EXPECT_EQ(different_chunks(read(later), read(later)), "");
   }
   for (const char* type : {"tEXt", "zTXt", "iTXt", "tIME"}) {
     PngFile file = plain();
