@@ -12,12 +12,18 @@
 namespace kerf {
 namespace {
 
-// There are arrays with a place for each number of an object, used or not: a keyframe has a byte for so many.
+// There are arrays with a place for each number of an object or node, used or not: a keyframe has a byte for
+// so many.
 constexpr std::size_t kAlwaysPlaces = 65'536;
 constexpr std::size_t kPlacesForAByte = 8;
 
 std::size_t least_keyframe(std::size_t places) {
   return places <= kAlwaysPlaces ? 0 : (places - kAlwaysPlaces) / kPlacesForAByte;
+}
+
+void check_places(std::size_t places, std::size_t size, const char* what) {
+  if (least_keyframe(places) > size)
+    fail_damaged("a keyframe of " + counted(size, "byte") + " says that it has " + counted(places, what));
 }
 
 template <int D>
@@ -54,8 +60,7 @@ void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
   constexpr std::size_t kLeast = 2;  // bytes of an object: its state and its mobility
   const Box<D> invalid = Box<D>::empty();
   const std::size_t bound = in.count(kLeast);
-  if (least_keyframe(bound) > size)
-    fail_damaged("a keyframe of " + counted(size, "byte") + " says that it has " + counted(bound, "object"));
+  check_places(bound, size, "object");
   table.make_room(bound);
   for (std::uint32_t id = 0; id < bound; ++id) {
     const auto state = static_cast<ObjectState>(in.choice(3));
@@ -141,7 +146,9 @@ template <int D>
 void get_tree(ByteReader& in, std::size_t size, Tree<D>& tree) {
   constexpr std::size_t kLeast = 2;  // bytes of a node: its generation and its flags
   get_table(in, size, tree.table);
-  std::vector<Node<D>> nodes(in.count(kLeast));
+  const std::size_t count = in.count(kLeast);
+  check_places(count, size, "node");
+  std::vector<Node<D>> nodes(count);
   for (Node<D>& node : nodes) node = get_node(in, tree.directions(), tree.table.bound());
   std::vector<NodeId> unused(in.count());
   for (NodeId& id : unused) id.value = in.number();
@@ -236,7 +243,8 @@ Bytes encode_state(const BspState<D>& state) {
 
 template <int D>
 std::size_t least_bytes(const BspState<D>& state) {
-  return least_keyframe(std::max(state.latest.bound(), state.tree.table.bound()));
+  const std::size_t objects = std::max(state.latest.bound(), state.tree.table.bound());
+  return least_keyframe(std::max(objects, state.tree.nodes().size()));
 }
 
 template <int D>

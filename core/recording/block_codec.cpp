@@ -188,25 +188,24 @@ Bytes BlockEncoder<D>::take() {
 }
 
 template <int D>
-void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t first_step,
-                           std::uint64_t first_event, std::vector<RecordedStep<D>>& steps) {
+void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::span<const StepRow> rows,
+                           std::vector<RecordedStep<D>>& steps) {
   const DefaultFloats floats;
   const Bytes bytes = decompress(block);
   ByteReader in(bytes);
-  const std::size_t count = in.count(kLeastOfStep);
+  if (in.count(kLeastOfStep) != rows.size()) fail_damaged("it has other steps than its row says");
   Columns columns{ByteReader(in.blob()), ByteReader(in.blob()), ByteReader(in.blob()), {}, BitReader({})};
   for (std::size_t channel = 0; channel < channel_count<D>(kind_); ++channel)
     columns.lengths.emplace_back(in.blob());
   columns.bits = BitReader(in.blob());
   looks_.open(in);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (const StepRow& row : rows) {
     RecordedStep<D> step;
     step.requests.calls = get_calls(columns.calls);
     room_.insert(inserts_in(step.requests.calls, columns.objects.left()));
     step.changed = get_volumes(columns, kind_, room_, predictor_, step.requests);
     step.looks = looks_.read(step.requests);
-    step.events = get_events(columns.events, first_step + static_cast<std::uint32_t>(k), first_event);
-    first_event += step.events.size();
+    step.events = get_events(columns.events, row);
     steps.push_back(std::move(step));
   }
   if (!in.empty() || !columns.empty() || !looks_.empty()) fail_damaged("a block holds more than its steps");

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/recording/look_codec.h"
+#include "core/recording/recording_info.h"
 #include "core/recording/step_requests.h"
 #include "core/recording/volume_predictor.h"
 #include "core/trace/event.h"
@@ -86,8 +87,9 @@ class BlockDecoder {
     room_.restart(latest.bound());
     looks_.restart(looks);
   }
-  /// Appends the block's steps; `first_step` and `first_event` number them.
-  void read(std::span<const std::uint8_t> block, std::uint32_t first_step, std::uint64_t first_event,
+  /// Appends the block's steps, of which these are the rows: a block of others is damaged. It makes room for
+  /// no more steps and events than they say.
+  void read(std::span<const std::uint8_t> block, std::span<const StepRow> rows,
             std::vector<RecordedStep<D>>& steps);
 
  private:

@@ -1,9 +1,11 @@
 #include "core/recording/compression.h"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -25,6 +27,11 @@ std::size_t least_size(std::size_t content) {
   return content <= kAlwaysBelieved ? 0 : (content - kAlwaysBelieved + kBelievedRatio - 1) / kBelievedRatio;
 }
 
+/// Says nothing of the bytes.
+void refuse_lack_of_memory(std::size_t result) {
+  if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+}
+
 /// Appends a skippable frame, so that there are at least `least` bytes.
 void pad(Bytes& frame, std::size_t least) {
   constexpr std::size_t kHeader = 8;
@@ -40,12 +47,15 @@ void pad(Bytes& frame, std::size_t least) {
 }  // namespace
 
 Bytes compress(std::span<const std::uint8_t> bytes, std::size_t least) {
-  thread_local const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
+  thread_local std::unique_ptr<ZSTD_CCtx, FreeContext> context;
+  if (!context) context.reset(ZSTD_createCCtx());
+  if (!context) throw std::bad_alloc();
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   Bytes frame(ZSTD_compressBound(bytes.size()));
   const std::size_t size =
       ZSTD_compress2(context.get(), frame.data(), frame.size(), bytes.data(), bytes.size());
+  refuse_lack_of_memory(size);
   if (ZSTD_isError(size) != 0)
     throw std::runtime_error(std::string("cannot compress a block: ") + ZSTD_getErrorName(size));
   frame.resize(size);
@@ -62,6 +72,7 @@ Bytes decompress(std::span<const std::uint8_t> frames) {
                  std::to_string(size));
   Bytes bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frames.data(), frames.size());
+  refuse_lack_of_memory(got);
   if (ZSTD_isError(got) != 0 || got != size) fail_damaged("a block cannot be decompressed");
   return bytes;
 }

@@ -56,7 +56,6 @@ bool has_content(const std::filesystem::path& path, const char* ending) {
 
 /// SQLite's message, and the system's if there is one.
 std::string reason(sqlite3* database) {
-  if (database == nullptr) return "not enough memory";
   const int error = sqlite3_system_errno(database);
   const std::string words = sqlite3_errmsg(database);
   return error == 0 ? words : words + " (" + std::generic_category().message(error) + ")";
@@ -167,13 +166,15 @@ float Statement::single(int column) const {
 std::string Statement::text(int column) const {
   expect(column, SQLITE_TEXT, "no text");
   const unsigned char* text = sqlite3_column_text(statement_.get(), column);
+  if (text == nullptr) throw std::bad_alloc();
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
-  return text == nullptr ? std::string() : std::string(text, text + size);
+  return {text, text + size};
 }
 
 Bytes Statement::bytes(int column) const {
   expect(column, SQLITE_BLOB, "no bytes");
   const auto* data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
+  if (data == nullptr && sqlite3_errcode(database_) == SQLITE_NOMEM) throw std::bad_alloc();
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return data == nullptr ? Bytes() : Bytes(data, data + size);
 }
@@ -195,6 +196,7 @@ Database::Database(const std::filesystem::path& path, const std::string& name, i
   sqlite3* database = nullptr;
   const int result = sqlite3_open_v2(name.c_str(), &database, flags, vfs);
   database_.reset(database);
+  if (result == SQLITE_NOMEM) throw std::bad_alloc();
   if (result != SQLITE_OK) throw std::runtime_error("cannot open " + path.string() + ": " + reason(database));
   sqlite3_busy_timeout(database, kPatience);
   sqlite3_progress_handler(database, kEvery, go_on, patience_.get());

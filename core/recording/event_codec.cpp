@@ -90,13 +90,16 @@ void put_events(std::span<const Event> events, ByteWriter& out) {
   }
 }
 
-std::vector<Event> get_events(ByteReader& in, std::uint32_t step, std::uint64_t first_id) {
+std::vector<Event> get_events(ByteReader& in, const StepRow& row) {
   constexpr std::size_t kKinds = std::variant_size_v<EventBody>;
   constexpr std::size_t kLeast = 2;  // bytes of an event: its kind and one field
-  std::vector<Event> events(in.count(kLeast));
+  const std::size_t count = in.count(kLeast);
+  if (count != row.events) fail_damaged("a step has other events in its block than its row says");
+  std::vector<Event> events(count);
+  std::uint64_t id = row.first_event;
   for (Event& event : events) {
-    event.id = first_id++;
-    event.step = step;
+    event.id = id++;
+    event.step = row.step;
     event.body = make_body(in.choice(kKinds), std::make_index_sequence<kKinds>());
     std::visit([&](auto& body) { visit_body(body, FieldReader{in}); }, event.body);
   }

@@ -77,7 +77,9 @@ const std::vector<Damage>& all_damage() {
        }},
       {"FourGigabytes", [](const auto& file) { test::forge_block(file.path(), 1, boastful_block()); }},
       {"ThirtyMillion",
-       [](const auto& file) { test::forge_block(file.path(), 1, test::block_with_object<2>(30'000'000)); }},
+       [](const auto& file) {
+         test::forge_block(file.path(), 1, test::first_block_with_object<2>(file.path(), 30'000'000));
+       }},
       {"EmptyBlocks", sql("UPDATE blocks SET data = x''")},
       {"TextForData", sql("UPDATE blocks SET data = 'none'")},
       {"NoBlocks", sql("DELETE FROM blocks")},

@@ -7,6 +7,7 @@
 
 #include "core/recording/chain.h"
 #include "core/recording/compression.h"
+#include "core/recording/database.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/recording_reader.h"
 #include "core/recording/schema.h"
@@ -247,7 +248,8 @@ void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step,
 }
 
 template <int D>
-Bytes block_with_object(std::uint32_t number) {
+Bytes first_block_with_object(const std::filesystem::path& recording, std::uint32_t number) {
+  const std::int64_t steps = Database::open(recording).ask("SELECT steps FROM blocks WHERE first_step = 1");
   ByteWriter calls;
   calls.varint(1);
   calls.u8(static_cast<std::uint8_t>(RequestKind::insert_box));
@@ -256,10 +258,10 @@ Bytes block_with_object(std::uint32_t number) {
   ByteWriter objects;
   objects.varint(zigzag(static_cast<std::int32_t>(number)));
   ByteWriter block;
-  block.varint(1);
+  block.varint(static_cast<std::uint64_t>(steps));
   block.blob(calls.bytes());
   block.blob(objects.bytes());
-  block.blob(Bytes{0});
+  block.blob(Bytes(2 * static_cast<std::size_t>(steps)));  // no events
   for (int channel = 0; channel < 2 * D; ++channel) block.blob(Bytes{0});
   block.blob({});
   LookEncoder<D>().take(block);
@@ -270,7 +272,7 @@ template void forge_keyframe<2>(const std::filesystem::path&, std::uint32_t,
                                 const std::function<void(BspState<2>&)>&);
 template void forge_keyframe<3>(const std::filesystem::path&, std::uint32_t,
                                 const std::function<void(BspState<3>&)>&);
-template Bytes block_with_object<2>(std::uint32_t);
-template Bytes block_with_object<3>(std::uint32_t);
+template Bytes first_block_with_object<2>(const std::filesystem::path&, std::uint32_t);
+template Bytes first_block_with_object<3>(const std::filesystem::path&, std::uint32_t);
 
 }  // namespace kerf::test

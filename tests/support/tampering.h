@@ -43,8 +43,9 @@ template <int D>
 void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step,
                     const std::function<void(BspState<D>&)>& change);
 
-/// A block of one step in which one object is inserted, with this number.
+/// A block in place of the recording's first one, in the first step of which one object is inserted, with
+/// this number.
 template <int D>
-Bytes block_with_object(std::uint32_t number);
+Bytes first_block_with_object(const std::filesystem::path& recording, std::uint32_t number);
 
 }  // namespace kerf::test

@@ -4,8 +4,11 @@
 
 #include <bit>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "core/base/random.h"
+#include "core/recording/compression.h"
 #include "core/recording/event_codec.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -30,6 +33,13 @@ std::vector<std::uint32_t> bits_of(const StepRequests<D>& requests) {
   return bits;
 }
 
+/// Of steps without events.
+std::vector<StepRow> quiet_rows(std::size_t steps) {
+  std::vector<StepRow> rows(steps);
+  for (std::size_t k = 0; k < steps; ++k) rows[k].step = static_cast<std::uint32_t>(k + 1);
+  return rows;
+}
+
 template <int D>
 std::vector<RecordedStep<D>> there_and_back(VolumeKind kind, const std::vector<StepRequests<D>>& steps,
                                             std::size_t block_size) {
@@ -38,7 +48,7 @@ std::vector<RecordedStep<D>> there_and_back(VolumeKind kind, const std::vector<S
   std::vector<RecordedStep<D>> read;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     encoder.add(steps[k], {});
-    if ((k + 1) % block_size == 0) decoder.read(encoder.take(), 1, 0, read);
+    if ((k + 1) % block_size == 0) decoder.read(encoder.take(), quiet_rows(block_size), read);
   }
   return read;
 }
@@ -143,7 +153,7 @@ TYPED_TEST(BlockCodec, DamageIsNoticed) {
     damaged[k] ^= 0x10U;
     std::vector<RecordedStep<kD>> read;
     try {
-      BlockDecoder<kD>(VolumeKind::box).read(damaged, 1, 0, read);
+      BlockDecoder<kD>(VolumeKind::box).read(damaged, quiet_rows(1), read);
       EXPECT_EQ(read.front().requests, step) << "at byte " << k;  // a bit that says nothing
     } catch (const std::runtime_error&) {
       ++noticed;
@@ -151,8 +161,37 @@ TYPED_TEST(BlockCodec, DamageIsNoticed) {
   }
   EXPECT_GT(noticed, block.size() / 8);
   std::vector<RecordedStep<kD>> read;
-  EXPECT_THROW(BlockDecoder<kD>(VolumeKind::box).read(std::span(block).first(block.size() / 2), 1, 0, read),
-               std::runtime_error);
+  EXPECT_THROW(
+      BlockDecoder<kD>(VolumeKind::box).read(std::span(block).first(block.size() / 2), quiet_rows(1), read),
+      std::runtime_error);
+}
+
+/// A block of two million steps, or a step of so many events, took hundreds of bytes for each.
+TEST(EventCodec, RoomIsMadeForWhatTheRowSaysOnly) {
+  constexpr std::size_t kMany = 2'000'000;
+  const Bytes zeros(kMany, 0);
+  const auto block_of = [](std::size_t steps, const Bytes& calls, const Bytes& events) {
+    ByteWriter block;
+    block.varint(steps);
+    for (const Bytes& column : {calls, Bytes(), events}) block.blob(column);
+    return compress(block.bytes());
+  };
+  const auto complaint = [](const Bytes& block) {
+    std::vector<RecordedStep<2>> read;
+    try {
+      BlockDecoder<2>(VolumeKind::box).read(block, quiet_rows(1), read);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint(block_of(kMany, zeros, zeros)),
+            "the recording is damaged: it has other steps than its row says");
+  ByteWriter events;
+  events.varint(kMany / 2);
+  for (const std::uint8_t zero : zeros) events.u8(zero);
+  ByteReader reader(events.bytes());
+  EXPECT_THROW((void)get_events(reader, quiet_rows(1).front()), std::runtime_error);
 }
 
 TEST(EventCodec, EveryKindOfEventComesBack) {
@@ -167,7 +206,11 @@ TEST(EventCodec, EveryKindOfEventComesBack) {
   ByteWriter writer;
   put_events(events, writer);
   ByteReader reader(writer.bytes());
-  EXPECT_EQ(get_events(reader, 7, 40), events);
+  StepRow row;
+  row.step = 7;
+  row.first_event = 40;
+  row.events = events.size();
+  EXPECT_EQ(get_events(reader, row), events);
 }
 
 }  // namespace

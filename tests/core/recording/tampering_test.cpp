@@ -10,6 +10,8 @@
 #include <optional>
 
 #include "core/recording/compression.h"
+#include "core/recording/database.h"
+#include "core/recording/keyframe_codec.h"
 #include "core/recording/recording_reader.h"
 #include "core/recording/schema.h"
 #include "core/replay/judge_theirs.h"
@@ -323,8 +325,37 @@ TYPED_TEST(Tampering, NoBlockAsksForMoreThanItsBytesCanHold) {
   test::forge_block(this->path(), 1, declares);
   EXPECT_THAT(objection(this->path()), HasSubstr("20 bytes says that it holds"));
   this->restore();
-  test::forge_block(this->path(), 1, test::block_with_object<TestFixture::kD>(30'000'000));
+  test::forge_block(this->path(), 1,
+                    test::first_block_with_object<TestFixture::kD>(this->path(), 30'000'000));
   EXPECT_THAT(objection(this->path()), HasSubstr("an object 30000000"));
+}
+
+/// Each node that is not alive takes two bytes, and some tens in memory.
+TEST(Keyframe, HasNoMoreNodesThanItsBytesStandFor) {
+  ByteWriter bytes;
+  bytes.varint(0);  // objects
+  bytes.text(to_string(busy_config()));
+  bytes.varint(0);  // objects as they were placed
+  constexpr std::size_t kNodes = 2'000'000;
+  bytes.varint(kNodes);
+  for (std::size_t k = 0; k < 2 * kNodes; ++k) bytes.u8(0);
+  const auto projector = make_projector<2>(busy_config(), VolumeKind::box);
+  EXPECT_THAT(
+      [&] { (void)decode_keyframe<2>(compress(bytes.bytes()), projector); },
+      ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("bytes says that it has 2000000 nodes")));
+}
+
+/// By such an index SQL finds other rows than are there.
+TYPED_TEST(Tampering, AnIndexThatDoesNotFitItsTableIsFound) {
+  constexpr std::size_t kPageSize = 16'384;
+  constexpr std::string_view kIndex =
+      "SELECT rootpage FROM sqlite_master WHERE type = 'index' AND tbl_name = 'their_pairs'";
+  const std::int64_t page = Database::open(this->path()).ask(kIndex);
+  std::string bytes = read_bytes(this->path());
+  char& row = bytes.at(static_cast<std::size_t>(page) * kPageSize - 1);  // of the first entry
+  row = static_cast<char>(row ^ 0x40);
+  write_bytes(this->path(), bytes);
+  EXPECT_THAT(objection(this->path()), HasSubstr("missing from index"));
 }
 
 /// A bomb: 64 MiB of zeros in some kilobytes are no block, however honest its header is.

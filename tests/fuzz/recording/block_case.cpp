@@ -4,6 +4,7 @@
 #include "core/bsp/bsp.h"
 #include "core/recording/block_codec.h"
 #include "core/recording/compression.h"
+#include "core/recording/event_codec.h"
 #include "core/replay/oracle.h"
 #include "tests/fuzz/recording/recording_cases.h"
 
@@ -25,13 +26,30 @@ std::string run(const std::vector<RecordedStep<2>>& steps) {
   return "";
 }
 
+/// Rows of a recording that say what the block says.
+std::vector<StepRow> rows_of(CaseBytes bytes) {
+  constexpr std::size_t kLeastOfStep = 2;
+  ByteReader block(bytes);
+  std::vector<StepRow> rows(block.count(kLeastOfStep));
+  (void)block.blob();  // calls
+  (void)block.blob();  // objects
+  ByteReader events(block.blob());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].step = static_cast<std::uint32_t>(k + 1);
+    rows[k].first_event = k == 0 ? 0 : rows[k - 1].first_event + rows[k - 1].events;
+    rows[k].events = ByteReader(events).varint();
+    (void)get_events(events, rows[k]);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string block_case(CaseBytes bytes) {
   try {
     BlockDecoder<2> decoder(VolumeKind::box);
     std::vector<RecordedStep<2>> steps;
-    decoder.read(compress(bytes), 1, 0, steps);
+    decoder.read(compress(bytes), rows_of(bytes), steps);
     return run(steps);
   } catch (const std::runtime_error& error) {
     return error.what()[0] == '\0' ? "an error without a message" : "";
