@@ -19,6 +19,7 @@
 #include "frames/commands/memory_advice.h"
 #include "frames/support/disk_advice.h"
 #include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
 #include "frames/support/suggest.h"
 #include "frames/support/version.h"
 
@@ -146,6 +147,7 @@ int run(const CLI::App& program, const std::vector<std::unique_ptr<Command>>& co
 
 int run_command_line(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grew too large is an error that can be reported
+  exit_when_interrupted(kExitInterrupted);
   CLI::App program("See, step through and measure a broad phase", "kerf");
   program.set_version_flag("--version", std::string("kerf ") + version());
   std::vector<std::unique_ptr<Command>> commands;

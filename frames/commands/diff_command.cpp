@@ -73,8 +73,11 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
 }
 
 void approve(const DiffResult& result) {
-  const std::vector<std::string> approved = approve_frames(result);
+  const InterruptGuard interrupt;  // before there is a part of a file that an interrupt would leave
+  const std::vector<std::string> approved = approve_frames(result, [&] { return interrupt.requested(); });
   for (const std::string& name : approved) std::fprintf(stderr, "approved %s\n", name.c_str());
+  if (interrupt.requested())
+    throw Interrupted("interrupted: " + counted(approved.size(), "frame was", "frames were") + " approved");
   std::fprintf(stderr, "%s approved\n", counted(approved.size(), "frame").c_str());
   if (!result.faults.empty())
     throw std::runtime_error("frames were approved, but not all that lies there was compared");

@@ -58,16 +58,18 @@ void check(const fs::path& frame) {
 
 }  // namespace
 
-std::vector<std::string> approve_frames(const DiffResult& result) {
+std::vector<std::string> approve_frames(const DiffResult& result, const std::function<bool()>& stop) {
   Outputs outputs({}, true);
   for (const FrameDiff& diff : result.frames) {
     if (!is_to_be_approved(diff)) continue;
+    if (stop && stop()) return {};
     check(diff.frame.test);
     outputs.add_file(reference_of(diff, result));
   }
   std::vector<std::string> approved;
   for (const FrameDiff& diff : result.frames) {
     if (!is_to_be_approved(diff)) continue;
+    if (stop && stop()) break;
     const fs::path to = reference_of(diff, result);
     if (to.has_parent_path()) fs::create_directories(to.parent_path());
     replace(diff.frame.test, to);

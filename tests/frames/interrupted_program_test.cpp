@@ -9,6 +9,7 @@
 
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
+#include "viz/image/png.h"
 
 namespace kerf::test {
 namespace {
@@ -89,6 +90,66 @@ TEST(InterruptedProgram, AScriptOfTheDebuggerLeavesNothingBehind) {
   EXPECT_EQ(outcome.exit, kExitInterrupted);
   EXPECT_THAT(outcome.err, HasSubstr("interrupted while the script was played"));
   EXPECT_TRUE(temporary.files().empty());
+}
+
+bool has_open(pid_t process, const std::filesystem::path& file) {
+  std::error_code none;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/fd", none))
+    if (std::filesystem::read_symlink(entry.path(), none) == file) return true;
+  return false;
+}
+
+/// They died by the signal.
+TEST(InterruptedProgram, CommandsThatHaveNothingToLoseEndWithTheCodeOfTheirHelp) {
+  const TemporaryFolder folder;
+  const auto file = std::filesystem::canonical(folder.path()) / "pile.kerf";
+  ASSERT_EQ(run_kerf({"record", "pile", "-o", file, "--steps", "400", "--objects", "400"}).exit, kExitHolds);
+  for (const Arguments& arguments :
+       {Arguments{"compare", file, file}, Arguments{"explain", file, "--step", "400", "--pair", "1,2"}})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      test::Process process(test::kerf_command(arguments));
+      ASSERT_TRUE(test::holds_within_a_minute([&] { return has_open(process.id(), file); }));
+      process.signal(signal);
+      const RunOutcome outcome = process.wait();
+      EXPECT_EQ(outcome.exit, kExitInterrupted) << arguments.front() << ", signal " << signal;
+      EXPECT_EQ(outcome.err, "kerf: interrupted\n");
+    }
+}
+
+/// SIGPIPE killed it without a word.
+TEST(InterruptedProgram, AClosedPipeIsSaidWhereTheParentIgnoresItsSignal) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "pile.kerf";
+  ASSERT_EQ(run_kerf({"record", "pile", "-o", file, "--steps", "2", "--objects", "20"}).exit, kExitHolds);
+  const std::string kerf = test::kerf_command({}).front();
+  const std::string script =
+      "trap '' PIPE; { sleep 0.5; " + kerf + " verify " + file + "; echo $? >&2; } | true";
+  test::Process process({"sh", "-c", script});
+  EXPECT_EQ(process.wait().err, "kerf: cannot write standard output: what was printed is not whole\n2\n");
+}
+
+/// Parts of files stayed, and each later diff was refused.
+TEST(InterruptedProgram, ApprovingEndsBetweenTwoFrames) {
+  const TemporaryFolder folder;
+  const auto reference = folder.path() / "reference";
+  const auto test = folder.path() / "test";
+  std::filesystem::create_directory(reference);
+  std::filesystem::create_directory(test);
+  constexpr int kFrames = 600;
+  for (int k = 0; k < kFrames; ++k) {
+    const std::string name = std::to_string(1000 + k) + ".png";
+    write_png(reference / name, make_image(16, 16, 0xff203040U));
+    write_png(test / name, make_image(16, 16, 0xff203041U));
+  }
+  const std::string earlier = test::read_text(reference / "1000.png");
+  const RunOutcome outcome = interrupt_kerf({"diff", reference, test, "--approve"}, [&] {
+    return test::read_text(reference / "1000.png") != earlier;
+  });
+  EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err.substr(0, 200);
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("interrupted: [0-9]+ frames? (was|were) approved\n$"));
+  EXPECT_EQ(test::files_in(reference), test::files_in(test));
+  EXPECT_EQ(run_kerf({"diff", reference, test, "--approve"}).exit, kExitHolds);
 }
 
 }  // namespace
