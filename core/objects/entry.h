@@ -15,11 +15,13 @@ constexpr DepthMask depth_bit(std::uint32_t depth) { return DepthMask{1} << dept
 /// The bits of the ancestors above `depth`.
 constexpr DepthMask bits_above(std::uint32_t depth) { return depth_bit(depth) - 1; }
 
+#pragma pack(push, 4)  // 20 bytes, not 24
 /// One object stored in one leaf.
 struct Entry {
   Interval key;  ///< projection on the leaf's direction
   ObjectId object;
   DepthMask straddle = 0;  ///< bit k: the object is stored on both sides of the ancestor at depth k
 };
+#pragma pack(pop)
 
 }  // namespace kerf
