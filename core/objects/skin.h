@@ -21,8 +21,8 @@ struct Skin {
   std::uint8_t level = kThickest;  ///< until more is known
   bool wrapped = false;            ///< it was wrapped since it left last
   std::uint8_t wraps = 0;          ///< how often it left soon after it had been wrapped
-  std::uint16_t since = 0;         ///< the step, modulo 2^16: a wrong age costs time, never a pair
   std::uint8_t restless = 0;       ///< slow steps for which it still counts as restless
+  std::uint16_t since = 0;         ///< the step, modulo 2^16: a wrong age costs time, never a pair
   std::uint16_t seen = 0;          ///< the fingerprint of its box at the last look
 
   [[nodiscard]] std::uint16_t age(std::uint32_t step) const {

@@ -110,7 +110,7 @@ TYPED_TEST(Recording, KeyframesHoldAllThatIsKnownOfSkins) {
   BspState<kD> state = Bsp<kD>(config).state();
   state.skins = {
       Skin{},
-      {.level = 2, .wrapped = true, .wraps = 3, .since = 60000, .restless = 4, .seen = 50000},
+      {.level = 2, .wrapped = true, .wraps = 3, .restless = 4, .since = 60000, .seen = 50000},
   };
   const Bytes bytes = encode_keyframe(state);
   EXPECT_EQ(decode_keyframe<kD>(bytes, make_projector<kD>(config, VolumeKind::box)).skins, state.skins);
