@@ -29,10 +29,17 @@ void make_list_room(std::vector<T>& list, std::size_t count) {
 }
 
 /// Gives a list to which elements come bit by bit the room for `count` elements. When it has to move it gets
-/// a quarter more, where std::vector would get as much again; so it is not copied too often, either.
+/// an eighth more, where std::vector would get as much again; so it is not copied too often, either.
 template <class T>
 void grow_list(std::vector<T>& list, std::size_t count) {
   if (count > list.capacity()) list.reserve(list_room(count + count / tuning::kElementsPerSpare));
+}
+
+/// Makes the list `count` elements long, by `grow_list`.
+template <class T>
+void resize_list(std::vector<T>& list, std::size_t count) {
+  grow_list(list, count);
+  list.resize(count);
 }
 
 }  // namespace kerf

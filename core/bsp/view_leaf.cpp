@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/list_room.h"
 #include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
@@ -13,9 +14,9 @@ template <bool Boxes, int D>
 void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
   const std::vector<Entry>& entries = tree[leaf].entries;
   const bool some_fixed = table.has_fixed();
-  view.objects.resize(entries.size());
-  view.apart.resize(entries.size());
-  if constexpr (Boxes) view.boxes.resize(entries.size());
+  resize_list(view.objects, entries.size());
+  resize_list(view.apart, entries.size());
+  if constexpr (Boxes) resize_list(view.boxes, entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const ObjectId object = entries[i].object;
     if constexpr (Boxes) {

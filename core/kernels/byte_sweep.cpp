@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/list_room.h"
 #include "core/kernels/sweep_tuning.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -119,10 +120,10 @@ HWY_EXPORT(find_3);
 template <int D>
 void ByteSweep<D>::make_room(std::size_t n) {
   stride = n + kPad;
-  if (planes.size() < stride * 2 * D) planes.resize(stride * 2 * D);
-  keys.resize(n);
-  sorted_keys.resize(n);
-  order.resize(n);
+  if (planes.size() < stride * 2 * D) resize_list(planes, stride * 2 * D);
+  resize_list(keys, n);
+  resize_list(sorted_keys, n);
+  resize_list(order, n);
 }
 
 template <int D>

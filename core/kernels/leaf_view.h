@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/list_room.h"
 #include "core/geometry/packed_box.h"
 #include "core/objects/entry.h"
 
@@ -38,9 +39,9 @@ struct LeafView {
 
   [[nodiscard]] std::size_t size() const { return objects.size(); }
   void resize(std::size_t n) {
-    boxes.resize(n);
-    objects.resize(n);
-    apart.resize(n);
+    resize_list(boxes, n);
+    resize_list(objects, n);
+    resize_list(apart, n);
   }
 };
 

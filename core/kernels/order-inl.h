@@ -28,7 +28,7 @@ HWY_INLINE void make_fine_keys(const LeafView<D>& leaf, const ByteScale<D>& scal
     const float scaled = std::min(std::max((x - origin) * steps, 0.0F), kLast);
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(scaled));
   };
-  sweep.fine.resize(leaf.size());
+  resize_list(sweep.fine, leaf.size());
   const PackedBox<D>* const boxes = leaf.boxes.data();
   std::uint32_t* const HWY_RESTRICT fine = sweep.fine.data();
   for (std::size_t i = 0; i < leaf.size(); ++i)
@@ -61,7 +61,7 @@ HWY_INLINE void order_by(ByteSweep<D>& sweep, std::size_t n, std::size_t steps, 
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
   const std::size_t n = leaf.size();
-  sweep.stops.resize(n);
+  resize_list(sweep.stops, n);
   std::uint16_t* const HWY_RESTRICT stops = sweep.stops.data();
   const ByteKey<D>* const keys = sweep.keys.data();
   const unsigned byte_of_axis = 8U * static_cast<unsigned>(sweep.axis);
