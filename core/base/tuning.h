@@ -149,8 +149,8 @@ inline constexpr float kStreamFactorIfKept = 4;
 /// first; in teleport, where most jump, that pass finds few.
 inline constexpr std::size_t kJumpSample = 64;
 inline constexpr float kJumpSizes = 6;
-/// Lists that are so many times too long give their memory back. Memory of falling in 3D, 64,000 objects.
-inline constexpr std::size_t kListExcess = 8;
+/// Lists that are so many times too long give their memory back; a division makes them twice too long.
+inline constexpr std::size_t kListExcess = 3;
 /// In ordered mode a longer leaf is swept by bytes: its list may lie along an axis on which all boxes
 /// coincide (HARD_CASES.md, S6).
 inline constexpr std::size_t kLongList = 512;

@@ -166,6 +166,7 @@ std::uint64_t KeptStep<D>::place_all(const StepContext<D>& step, bool many_stay,
                                      Reporter<Trace>& reporter) const {
   LeafBoxes<D> none;
   place_boxes(step, many_stay, none);
+  step.workers.stream_memory = {};  // as long as the list of all objects, and seldom needed
   reporter.report([&] { return AllPlaced{step.tree.objects()}; });
   return step.requests.changed().size();
 }

@@ -14,7 +14,8 @@ namespace kerf {
 
 /// The boxes of leaves' entries, copied while objects are placed, for the sweep afterwards: they lie side by
 /// side, not one here and one there in a long table. They hold until an operator changes the leaf or boxes
-/// move. The memory of a leaf, and of a node that died, is kept from step to step.
+/// move. The memory of a leaf, and of a node that died, is kept from step to step; an inner node gives it
+/// back.
 template <int D>
 class LeafBoxes {
  public:
@@ -22,7 +23,10 @@ class LeafBoxes {
   void begin(const Tree<D>& tree, bool wanted) {
     wanted_ = wanted;
     leaves_.forget();
-    if (wanted) leaves_.make_room(tree);
+    if (!wanted) return;
+    leaves_.make_room(tree);
+    for (NodeId id{0}; id.index() < tree.slots(); ++id.value)
+      if (!tree[id].is_leaf()) leaves_[id] = std::vector<PackedBox<D>>();  // once the root had all boxes
   }
   [[nodiscard]] bool wanted() const { return wanted_; }
   /// Room for `count` boxes of a leaf; those that were there stay. Different leaves can be refilled at the
