@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/float_mode.h"
+#include "core/base/tuning.h"
 #include "core/kernels/move_boxes.h"
 
 namespace kerf {
@@ -23,9 +24,6 @@ Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
 template <int D>
 Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
                               const Receiver& tree) {
-  ObjectId* const changed = changed_.reserve(objects.size());
-  PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
-  std::uint32_t* const left_over = left_over_.reserve(objects.size());
   if (kind() != VolumeKind::box) {
     const DefaultFloats floats;
     Status first = Status::ok;
@@ -36,15 +34,31 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
     }
     return first;
   }
+  const std::size_t piece = tree.keeps && tree.pool.threads() == 1 ? tuning::kFewThings : objects.size();
+  for (std::size_t begin = 0; begin < objects.size(); begin += piece) {
+    const std::size_t count = std::min(piece, objects.size() - begin);
+    move_some(objects.subspan(begin, count), boxes.subspan(begin, count), begin, tree);
+  }
+  given_ += objects.size() - left_over_.size();
+  return move_left_over(objects, boxes, tree.keeps);
+}
+
+/// A part of a call: the kernel needs room for the changes of all its objects, and while pairs are kept few
+/// change. `begin`: the place of the first in the call.
+template <int D>
+void Requests<D>::move_some(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
+                            std::size_t begin, const Receiver& tree) {
+  ObjectId* const changed = changed_.reserve(objects.size());
+  PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
+  std::uint32_t* const left_over = left_over_.reserve(objects.size());
   const MoveAnswer answer = move_boxes<D>(
       {objects, boxes, latest_.packed(), flags_,
        tree.keeps ? std::as_const(tree.table).packed().data() : nullptr, changed, before, left_over},
       tree.pool);
   changed_.commit(answer.changed);
   if (tree.keeps) before_.commit(answer.changed);
+  for (std::size_t k = 0; k < answer.left_over; ++k) left_over[k] += static_cast<std::uint32_t>(begin);
   left_over_.commit(answer.left_over);
-  given_ += objects.size() - answer.left_over;
-  return move_left_over(objects, boxes, tree.keeps);
 }
 
 /// Moves what the kernel left over, one by one: an object that moves again, too. Returns the first status
@@ -89,8 +103,13 @@ void Requests<D>::forget_unchanged() {
 template <int D>
 void Requests<D>::finish_step(std::span<const Skin> skins, TaskPool& pool) {
   settle(skins, pool);
-  changed_.clear();
-  before_.clear();
+  if (changed_.size() < tuning::kFewThings || skins.empty()) {
+    changed_.clear();
+    before_.clear();
+  } else {  // while pairs are kept, many seldom change
+    changed_ = {};
+    before_ = {};
+  }
   given_ = 0;
   only_moves_ = true;
 }

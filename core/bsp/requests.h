@@ -77,6 +77,8 @@ class Requests {
  private:
   template <class Change>
   Status change(ObjectId object, bool keeps, Change change);
+  void move_some(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, std::size_t begin,
+                 const Receiver& tree);
   Status move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, bool keeps);
   void settle(std::span<const Skin> skins, TaskPool& pool);
 
