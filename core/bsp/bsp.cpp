@@ -90,6 +90,8 @@ void Bsp<D, Trace>::step() {
     const DefaultFloats floats;
     adapt();
     find_pairs();
+    // Often more pairs follow, and memory lies behind these by then: they would move, and leave a hole.
+    if (step_ == 1) pairs_.reserve(pairs_.size() / 2);
     clock_.end();
   }
   workers_.threads.end_step(start, modes_.mode(), tree_.objects());
