@@ -33,6 +33,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"oneTBB", "tbb/"},
     {"SQLite", "sqlite3.h"},
     {"Zstandard", "zstd.h"},
+    {"Zstandard", "zstd_errors.h"},
     {"GL", "GL/"},
     {"GL", "EGL/"},
     {"GL", "GLES"},
