@@ -42,6 +42,22 @@ std::shared_ptr<RecordingReader<D>> record_two(const std::filesystem::path& path
   return std::make_shared<RecordingReader<D>>(path);
 }
 
+/// A box that ends there along x.
+template <int D>
+std::shared_ptr<RecordingReader<D>> record_import(const std::filesystem::path& path, double end) {
+  RecordingInfo info = test::info_of<D>(test::busy_config());
+  info.imported = true;
+  GivenBox<D> given = to_given(box_along_x<D>(0, 0));
+  given.max[0] = end;
+  Bsp<D, EventLog> tree(info.config);
+  Recorder<D> recorder(tree, path, info);
+  (void)recorder.insert({0}, round_outward(given), Mobility::moving);
+  recorder.step();
+  recorder.add_theirs(TheirChanges<D>{{{{0}, given}}, {}});
+  recorder.finish();
+  return std::make_shared<RecordingReader<D>>(path);
+}
+
 template <class T>
 class QueryModes : public testing::Test {
  private:
@@ -70,9 +86,15 @@ TYPED_TEST(QueryModes, BoxesADenormalApartAreNoPair) {
   EXPECT_FALSE(search.backward(Expression::parse("missed > 0"), Position::end_of(2)));
 }
 
-TYPED_TEST(QueryModes, ADenormalIsADifferenceBetweenRecordings) {
+/// Floats are compared bit by bit, and what imports have in doubles as numbers.
+TYPED_TEST(QueryModes, ADenormalIsADifferenceBetweenImports) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording one;
+  const test::TemporaryRecording two;
+  const auto a = record_import<kD>(one.path(), 0x1p-1040);
+  const auto b = record_import<kD>(two.path(), 0x1p-1041);
   const test::FlushToZero flush(true);
-  EXPECT_EQ(compare(*this->apart_, *this->touching_).requests, 1U);
+  EXPECT_EQ(compare(*a, *b).requests, 1U);
 }
 
 TYPED_TEST(QueryModes, AnObjectADenormalOutsideOfItsCellIsAFault) {

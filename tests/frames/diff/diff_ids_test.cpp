@@ -90,7 +90,7 @@ TEST_F(DiffIds, APixelOfAnItemThatIsNotThereIsRefused) {
   write_png(ids_path(test() / "a.png"), make_image(16, 16, 0x000002ffU), Replace::earlier);
   for (const std::vector<std::string>& options : {std::vector<std::string>(), {"--approve"}}) {
     EXPECT_EQ(diff(options).exit, 2);
-    EXPECT_THAT(diff(options).err,
+    EXPECT_THAT(diff(options).out,
                 HasSubstr("a.ids.png: a pixel is of item 2, and the draw list has 1 item"));
   }
   EXPECT_EQ(read_png(ids_path(reference() / "a.png")).rgba, ids().ids.image.rgba);
