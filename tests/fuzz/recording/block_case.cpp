@@ -27,7 +27,7 @@ std::string run(const std::vector<RecordedStep<2>>& steps) {
 }
 
 /// Rows of a recording that say what the block says.
-std::vector<StepRow> rows_of(CaseBytes bytes) {
+std::vector<StepRow> fitting_rows(CaseBytes bytes) {
   constexpr std::size_t kLeastOfStep = 2;
   ByteReader block(bytes);
   std::vector<StepRow> rows(block.count(kLeastOfStep));
@@ -49,7 +49,7 @@ std::string block_case(CaseBytes bytes) {
   try {
     BlockDecoder<2> decoder(VolumeKind::box);
     std::vector<RecordedStep<2>> steps;
-    decoder.read(compress(bytes), rows_of(bytes), steps);
+    decoder.read(compress(bytes), fitting_rows(bytes), steps);
     return run(steps);
   } catch (const std::runtime_error& error) {
     return error.what()[0] == '\0' ? "an error without a message" : "";
