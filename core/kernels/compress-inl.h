@@ -75,8 +75,8 @@ HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Do
   return hn::BitCast(Doubles(), lanes_in_order(hn::BitCast(Words(), lanes), order));
 }
 #elif HWY_TARGET <= HWY_AVX3
-// As above, for lanes of 64 bits. What follows the chosen lanes is left as it was, not made zero: for zeros some
-// processors (Zen 4 and 5) wait for what the register held before.
+// As above, for lanes of 64 bits. What follows the chosen lanes is left as it was, not made zero: for zeros
+// some processors (Zen 4 and 5) wait for what the register held before.
 HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
   return {_mm512_mask_compress_epi32(lanes.raw, chosen.raw, lanes.raw)};
 }
