@@ -33,7 +33,6 @@ struct Decimal {
   bool has_point = false;
   bool ends_in_zero = false;  ///< before an exponent
   bool has_exponent = false;
-  bool has_plus = false;  ///< before its exponent, as programs write it
 };
 
 Decimal read_decimal(std::string_view text) {
@@ -52,8 +51,7 @@ Decimal read_decimal(std::string_view text) {
   }
   if (at == text.size()) return number;
   number.has_exponent = true;
-  number.has_plus = text.substr(at + 1).starts_with('+');
-  text.remove_prefix(std::min(at + (number.has_plus ? 2 : 1), text.size()));
+  text.remove_prefix(std::min(at + (text.substr(at + 1).starts_with('+') ? 2 : 1), text.size()));
   std::int64_t exponent = 0;
   std::from_chars(text.data(), text.data() + text.size(), exponent);
   number.decimals -= std::clamp<std::int64_t>(exponent, -400, 400);
@@ -114,7 +112,6 @@ void DigitStatistics::note(std::string_view text, double value) {
   const bool is_small = number.has_exponent && std::abs(value) < 1;  // as JavaScript writes 0.00001
   has_exponent_ |= number.has_exponent;
   has_large_exponent_ |= number.has_exponent && !is_small;
-  lacks_room_ |= number.has_plus && number.decimals < 0;
   const bool is_counted = number.decimals <= static_cast<std::int64_t>(kMostDecimals);
   has_more_decimals_ |= !is_counted;
   if (number.has_point) {
@@ -235,12 +232,6 @@ BoundRounding DigitStatistics::suspected() const {
     return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
   if (digits < kLeastSuspected || !suffice(by_digits_[digits], digits >= kLeastShort)) return {};
   return {static_cast<std::uint32_t>(digits), 0, are_floats()};
-}
-
-/// All boxes that are far out may have one text, 1e+06, without being flat there: any bound may be rounded.
-BoundRounding BoundWriting::suspected() const {
-  if (usual_.lacks_room()) return {.digits = 1};
-  return with_planes(counted().suspected());
 }
 
 void BoundWriting::Plane::note(double min, double max) {

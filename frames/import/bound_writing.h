@@ -24,13 +24,10 @@ class DigitStatistics {
   [[nodiscard]] BoundRounding suspected() const;
   /// Whether there are numbers that are no binary fractions, or have zeros that say how they were written.
   [[nodiscard]] bool has_rounded() const { return rounded_ > 0 || has_zeros_; }
-  /// Whether a program wrote whole numbers with an exponent, 1e+06, as where there is no room for all digits.
-  [[nodiscard]] bool lacks_room() const { return lacks_room_ && most_digits_ <= kDigitsOfG; }
 
  private:
   static constexpr std::size_t kMostDigits = 17;
   static constexpr std::size_t kMostDecimals = 30;
-  static constexpr std::size_t kDigitsOfG = 6;  ///< that %g writes
 
   /// Numbers that are no binary fractions, and so were rounded or are decimals by intent.
   struct Seen {
@@ -70,10 +67,9 @@ class DigitStatistics {
   std::uint64_t open_doubles_ = 0;
   bool has_exponent_ = false;
   bool has_large_exponent_ = false;  ///< of a number beyond 1
-  bool lacks_room_ = false;
-  bool may_be_floats_ = true;    ///< each is the nearest float, written with as many digits
-  double surprise_ = 0;          ///< how unlikely that is of doubles: minus the logarithm
-  std::vector<double> tried_{};  ///< numbers that count for it
+  bool may_be_floats_ = true;        ///< each is the nearest float, written with as many digits
+  double surprise_ = 0;              ///< how unlikely that is of doubles: minus the logarithm
+  std::vector<double> tried_{};      ///< numbers that count for it
 };
 
 /// Finds out from the bounds of a table how its program rounded them. Huge ones stand for "no bound", often
@@ -84,7 +80,7 @@ class BoundWriting {
   void note(int axis, std::string_view min, std::string_view max);
 
   [[nodiscard]] BoundRounding rounding() const { return with_planes(counted().rounding()); }
-  [[nodiscard]] BoundRounding suspected() const;
+  [[nodiscard]] BoundRounding suspected() const { return with_planes(counted().suspected()); }
 
  private:
   /// Whether all boxes are flat at one number along an axis.

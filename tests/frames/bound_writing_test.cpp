@@ -145,19 +145,6 @@ TEST(BoundWriting, TooFewNumbersAreSuspected) {
   EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
 }
 
-/// %g leaves nothing of boxes that lie far out.
-TEST(BoundWriting, WholeNumbersThatAProgramWroteWithAnExponentAreSuspected) {
-  const auto is_suspected = [](const std::vector<std::string>& bounds) {
-    return writing_of(bounds).suspected() != BoundRounding();
-  };
-  EXPECT_TRUE(is_suspected({"1e+06", "1e+06"}));
-  EXPECT_TRUE(is_suspected({"0.5", "1.01e+06"}));
-  EXPECT_FALSE(is_suspected({"1e6", "1e3"})) << "written by hand";
-  EXPECT_FALSE(is_suspected({"1.00000000e+09"})) << "all of a float";
-  EXPECT_FALSE(is_suspected({"1.5e+00", "1.25e+02"})) << "no whole number";
-  EXPECT_FALSE(is_suspected({"1e+30"})) << "no bound";
-}
-
 /// A grid of halves is exact; one of tenths may be one, or what rounding left.
 TEST(BoundWriting, DozensOfShortNumbersAreSuspected) {
   Random random(11);

@@ -158,20 +158,6 @@ TEST_F(ImportDigits, FlatBoxesWithTheSameTextAreOpen) {
   EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
 }
 
-/// A right engine was accused of missing nearly all pairs, and nothing was said to be odd.
-TEST_F(ImportDigits, BoxesOfOneTextFarOutAreOdd) {
-  const std::vector<Two<double>> all = touching<double>(7);
-  std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
-  int object = 0;
-  for (const Two<double>& two : all)
-    for (const auto& [from, to] : {two.a, two.b})
-      boxes += "1," + std::to_string(object++) + "," + printed("%g", 1e6 + from / 1e4) + "," +
-               printed("%g", 1e6 + to / 1e4) + ",0,1\n";
-  EXPECT_THAT(imported("a", write("boxes.csv", boxes), {"--pairs", write("none.csv", "step,a,b\n")}),
-              AllOf(HasSubstr("7140 missed"),
-                    HasSubstr("7140 pairs that may touch only in the digits that were written")));
-}
-
 /// What people write by hand is what they mean.
 TEST_F(ImportDigits, ShortNumbersAreJudged) {
   for (const std::string at : {"1", "1.0", "0.5", "0.1", "2.25", "1.0078125", "0.30000000000000004"})
