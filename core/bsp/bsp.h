@@ -53,6 +53,9 @@ class Bsp final : public BroadPhase<D> {
   Status remove(ObjectId object) override;
   /// Throws std::invalid_argument unless there are as many boxes as objects.
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
+  /// Room for the moves of so many objects: the next call of `move_many` then takes all of them if they are
+  /// different ones, or this one throws for lack of memory, and nothing has changed.
+  void make_room_for_moves(std::size_t count) { requests_.make_room_for_moves(count); }
   void step() override;
   /// Like step(), but finds no pairs: events and state are the same, `pairs()` is empty. Kept pairs are
   /// forgotten: the next `step()` finds all anew.

@@ -34,6 +34,7 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
     }
     return first;
   }
+  left_over_.clear();  // of a call that ended for lack of memory, before a state was restored
   const std::size_t piece = tree.keeps && tree.pool.threads() == 1 ? tuning::kFewThings : objects.size();
   for (std::size_t begin = 0; begin < objects.size(); begin += piece) {
     const std::size_t count = std::min(piece, objects.size() - begin);
@@ -41,6 +42,13 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
   }
   given_ += objects.size() - left_over_.size();
   return move_left_over(objects, boxes, tree.keeps);
+}
+
+template <int D>
+void Requests<D>::make_room_for_moves(std::size_t count) {
+  (void)changed_.reserve(count);
+  (void)before_.reserve(count);
+  (void)left_over_.reserve(count);
 }
 
 /// A part of a call: the kernel needs room for the changes of all its objects, and while pairs are kept few

@@ -58,6 +58,8 @@ class Requests {
   void list_unasked(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
   /// Takes those off the list that have no flag any more.
   void forget_unchanged();
+  /// Room for the moves of so many objects in one call: it then allocates nothing.
+  void make_room_for_moves(std::size_t count);
   /// There are flags for all objects from now on.
   void make_room() { flags_.resize(latest_.bound(), flag::kUnplaced); }
   /// The flags of an object of which nothing is pending. `skins`: of all objects while pairs are kept, else

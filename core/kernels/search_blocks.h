@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// What kernels ask of the boxes of a block at once. The floats err on the side of "possible"; where they cannot be
-// sure, the caller must look at the box itself.
+// What kernels ask of the boxes of a block at once. The floats err on the side of "possible"; where they
+// cannot be sure, the caller must look at the box itself.
 
 /// A cast: on each axis a box is met first with its near end, left with its far end.
 template <int D>

@@ -10,8 +10,8 @@ namespace kerf {
 
 inline constexpr std::size_t kBlockWidth = 16;
 
-/// Boxes side by side, so that one or two vector instructions test all of them, and what each of them bounds: an
-/// object, or another block.
+/// Boxes side by side, so that one or two vector instructions test all of them, and what each of them bounds:
+/// an object, or another block.
 template <int D>
 struct alignas(64) WideBlock {
   static constexpr std::uint32_t kUnused = UINT32_MAX;

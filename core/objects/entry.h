@@ -15,7 +15,7 @@ constexpr DepthMask depth_bit(std::uint32_t depth) { return DepthMask{1} << dept
 /// The bits of the ancestors above `depth`.
 constexpr DepthMask bits_above(std::uint32_t depth) { return depth_bit(depth) - 1; }
 
-#pragma pack(push, 4)  // 20 bytes, not 24
+#pragma pack(push, 4)  // 20 bytes, not 24; so no reference to the mask: it may not be aligned
 /// One object stored in one leaf.
 struct Entry {
   Interval key;  ///< projection on the leaf's direction

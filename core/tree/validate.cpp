@@ -97,7 +97,7 @@ class Validator {
       NodeId& seen_in = seen_in_[entry.object.index()];
       expect(seen_in != id, id, "an object has two entries");
       seen_in = id;
-      stored_[id.index()].emplace_back(entry.object, entry.straddle);
+      stored_[id.index()].emplace_back(entry.object, DepthMask{entry.straddle});
       const bool ordered =
           i == 0 || leaf.entries[i - 1].key.lo < entry.key.lo ||
           (leaf.entries[i - 1].key.lo == entry.key.lo && leaf.entries[i - 1].object < entry.object);

@@ -206,10 +206,10 @@ WorldStatus World<D>::move_one(Handle object, Box<D> box) {
   return status;
 }
 
-/// Moves the objects in `ids_` to `fat_boxes_`: all, or none where memory ends, since the tree allocates
-/// before it takes any.
+/// Moves the objects in `ids_` to `fat_boxes_`: all, or none where memory ends.
 template <int D>
 void World<D>::move_listed() {
+  tree_->make_room_for_moves(ids_.size());
   Change change(*this);
   (void)tree_->move_many(ids_, fat_boxes_);
   unstepped_ |= !ids_.empty();

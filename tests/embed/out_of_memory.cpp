@@ -57,6 +57,7 @@ void* __wrap_realloc(void* memory, std::size_t size) {  // NOLINT
 namespace {
 
 constexpr std::size_t kObjects = 70;
+constexpr std::size_t kMostObjects = 600;  ///< more than a call takes at once while pairs are kept
 
 [[noreturn]] void fail(const char* what, long allocation) {
   std::fprintf(stderr, "allocation %ld: %s\n", allocation, what);
@@ -71,9 +72,9 @@ void expect(kerf_status status, long allocation) {
   fail(kerf_status_text(status), allocation);
 }
 
-std::vector<float> boxes_of(int step) {
+std::vector<float> boxes_of(int step, std::size_t objects = kObjects) {
   std::vector<float> boxes;
-  for (std::size_t k = 0; k < kObjects; ++k) {
+  for (std::size_t k = 0; k < objects; ++k) {
     const auto x =
         static_cast<float>(k * 37 % 50) + 0.3F * static_cast<float>(step) * static_cast<float>(k % 3);
     const auto y = static_cast<float>(k * 11 % 23);
@@ -84,7 +85,7 @@ std::vector<float> boxes_of(int step) {
 
 /// How many pairs the boxes have that are there; all objects are of the moving kind.
 std::size_t true_pairs(const kerf_world* world) {
-  std::vector<kerf_handle> handles(kObjects);
+  std::vector<kerf_handle> handles(kMostObjects);
   std::size_t count = 0;
   if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return 0;
   std::size_t pairs = 0;
@@ -109,7 +110,7 @@ bool is_found(const kerf_world* world, const float* box, kerf_handle object) {
 
 /// Whether the index, which is updated, has each object where it is.
 bool are_all_found(kerf_world* world) {
-  std::vector<kerf_handle> handles(kObjects);
+  std::vector<kerf_handle> handles(kMostObjects);
   std::size_t count = 0;
   if (kerf_world_update_index(world) != KERF_OK) return false;
   if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return false;
@@ -225,7 +226,7 @@ bool run_update(long allocation) {
 
 /// The boxes of all objects, in the order of their handles.
 std::vector<float> boxes_in(const kerf_world* world) {
-  std::vector<kerf_handle> handles(kObjects);
+  std::vector<kerf_handle> handles(kMostObjects);
   std::size_t count = 0;
   if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return {};
   std::vector<float> boxes(4 * count);
@@ -235,19 +236,20 @@ std::vector<float> boxes_in(const kerf_world* world) {
 
 /// A shift in which the allocation of that number fails, of objects that came one a step: no list has room
 /// for all. None of them is shifted then. False if it has fewer.
-bool run_shift(long allocation, float margin) {
+bool run_shift(long allocation, std::size_t objects, float margin) {
   failed = false;
   kerf_world* world = nullptr;
   expect(kerf_world_create(2, nullptr, &world, nullptr), allocation);
   kerf_object object;
   expect(kerf_object_init(&object, sizeof object), allocation);
   object.margin = margin;
-  const std::vector<float> given = boxes_of(0);
-  for (std::size_t k = 0; k < kObjects; ++k) {
+  const std::vector<float> given = boxes_of(0, objects);
+  for (std::size_t k = 0; k < objects; ++k) {
     kerf_handle handle = 0;
     expect(kerf_world_insert(world, &given[4 * k], &object, 1, 1, &handle, nullptr), allocation);
     expect(kerf_world_step(world), allocation);
   }
+  for (int step = 0; step < 20; ++step) expect(kerf_world_step(world), allocation);
   std::vector<float> boxes = boxes_in(world);
   const float by[2] = {128, -64};
   left = allocation;
@@ -293,10 +295,11 @@ int main() {
   while (run(allocation)) ++allocation;
   long update = 0;
   while (run_update(update)) ++update;
-  for (const float margin : {0.0F, 0.5F}) {
-    long shift = 0;
-    while (run_shift(shift, margin)) ++shift;
-  }
+  for (const std::size_t objects : {kObjects, kMostObjects})
+    for (const float margin : {0.0F, 0.5F}) {
+      long shift = 0;
+      while (run_shift(shift, objects, margin)) ++shift;
+    }
   keep_a_far_object();
   std::printf("each of %ld allocations failed once\n", allocation);
   return allocation > 100 ? 0 : 1;

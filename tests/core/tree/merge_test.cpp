@@ -51,7 +51,7 @@ TYPED_TEST(Merge, TakesAnObjectFromBothSidesOnce) {
   sort_phase(tree);
   EXPECT_EQ(tree.entries(), 3U);
   EXPECT_EQ(tree[tree.root()].population, 3U);
-  for (const Entry& entry : tree[tree.root()].entries) EXPECT_EQ(entry.straddle, 0U);
+  for (const Entry& entry : tree[tree.root()].entries) EXPECT_EQ(DepthMask{entry.straddle}, 0U);
   EXPECT_TRUE(is_sound(tree));
 }
 

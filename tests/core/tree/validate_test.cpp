@@ -211,7 +211,7 @@ TYPED_TEST(Validate, ReportsAMissingObject) {
 
 TYPED_TEST(Validate, ReportsAWrongStraddleMask) {
   Entry& entry = this->straddler();
-  ASSERT_NE(entry.straddle, 0U);
+  ASSERT_NE(DepthMask{entry.straddle}, 0U);
   const DepthMask right = entry.straddle;
   const std::size_t before = validate(this->tree).size();
   for (const DepthMask wrong : {DepthMask{0}, right ^ 0b10U, right | depth_bit(40)}) {
