@@ -108,7 +108,7 @@ TYPED_TEST(StructurePictures, OfSixSideBySide) {
   PanesRenderer<kD> renderer(options_of(960, 640, false));
   const Image& image = renderer.render(frame_of<kD>(names));
   const FrameIds no_ids{
-      {}, make_image(image.width, image.height, 0xff000000U)};  // of several panes there are none
+      {}, make_image(image.width, image.height, 0x000000ffU)};  // of several panes there are none
   EXPECT_EQ(compare_with_reference("structures-" + std::to_string(kD) + "d", image,
                                    {no_ids, renderer.rasterizer()}),
             "");

@@ -57,24 +57,29 @@ double bytes_an_object(std::uint32_t count, double way, Mode mode) {
 template <class T>
 class Memory : public testing::Test {
  protected:
+  /// What a process has once, as the set of directions, is there before.
+  static void SetUpTestSuite() {
+    (void)kept(4250);
+    (void)swept(4250);
+  }
   static double kept(std::uint32_t count) { return bytes_an_object<T::value>(count, 0.002, Mode::kept); }
   static double swept(std::uint32_t count) { return bytes_an_object<T::value>(count, 0.5, Mode::swept); }
 };
 TYPED_TEST_SUITE(Memory, Dimensions, DimensionNames);
 
 TYPED_TEST(Memory, OfASettledWorldIsBounded) {
-  EXPECT_LT(TestFixture::kept(4250), TypeParam::value == 2 ? 180 : 231);
-  EXPECT_LT(TestFixture::kept(16000), TypeParam::value == 2 ? 158 : 215);
+  EXPECT_LT(TestFixture::kept(4250), TypeParam::value == 2 ? 183 : 235);
+  EXPECT_LT(TestFixture::kept(16000), TypeParam::value == 2 ? 161 : 219);
 }
 
 TYPED_TEST(Memory, OfAWorldThatFliesIsBounded) {
-  EXPECT_LT(TestFixture::swept(4250), TypeParam::value == 2 ? 92 : 137);
-  EXPECT_LT(TestFixture::swept(16000), TypeParam::value == 2 ? 82 : 126);
+  EXPECT_LT(TestFixture::swept(4250), TypeParam::value == 2 ? 95 : 141);
+  EXPECT_LT(TestFixture::swept(16000), TypeParam::value == 2 ? 85 : 130);
 }
 
 /// In 3D so many boxes are more than is read fast, so that those of each leaf are copied, too.
 TYPED_TEST(Memory, OfALargeWorldThatFliesIsBounded) {
-  EXPECT_LT(TestFixture::swept(120000), TypeParam::value == 2 ? 80 : 193);
+  EXPECT_LT(TestFixture::swept(120000), TypeParam::value == 2 ? 83 : 198);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(CompareDrawn, ATextThatIsThereTwiceIsFound) {
 
 /// A leaf of two items, a face and its outline of so many pixels, as panes of other structures draw it.
 FrameIds leaf_with_outline(int outline, Color face) {
-  FrameIds ids{{}, make_image(8, 8, 0xff000000U)};
+  FrameIds ids{{}, make_image(8, 8, 0x000000ffU)};
   Drawn drawn;
   drawn.kind = DrawnKind::leaf;
   drawn.a = 2;
