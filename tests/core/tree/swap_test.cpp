@@ -118,7 +118,8 @@ TYPED_TEST(Swap, DropsThePlanesBitAndShiftsTheDeeperOnes) {
   const NodeId leaf = tree[inner].right;
   EXPECT_EQ(tree[leaf].right_of, 0b11U);
   for (const Entry& entry : tree[leaf].entries) {
-    EXPECT_EQ(DepthMask{entry.straddle}, entry.object.value < 2 ? 0b11U : 0U) << "object " << entry.object.value;
+    EXPECT_EQ(DepthMask{entry.straddle}, entry.object.value < 2 ? 0b11U : 0U)
+        << "object " << entry.object.value;
   }
   sort_phase(tree);
   EXPECT_TRUE(is_sound(tree));
