@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kFew = 32;
 /// Objects among which the pivot is chosen.
 constexpr std::size_t kSample = 9;
+
 /// All objects have different keys.
 template <int D>
 std::uint64_t key_of(const CenteredObject<D>& object, int axis) {

@@ -234,7 +234,7 @@ struct PanesRenderer<D>::State {
       item.top += static_cast<float>(grid.top);
       item.bottom += static_cast<float>(grid.top);
     }
-    ids.image = make_image(options.width, options.height, 0x000000ffU);
+    ids.image = make_image(options.width, options.height, 0x000000ffU);  // item 0 is the ground
     for (int y = 0; y < grid.height; ++y)
       std::memcpy(ids.image.rgba.data() + static_cast<std::size_t>(y + grid.top) * ids.image.stride(),
                   pane.pixel(0, y), pane.stride());
