@@ -214,15 +214,19 @@ def test_steps_and_events_that_are_not_there(run):
         run.their_pairs(3)
 
 
-def test_a_long_call_can_be_interrupted(tmp_path):
-    """The handler runs within the call: the recording is in use then. The call lasts many times the 50 ms after
-    which it asks for signals again."""
-    run = kerf.record("pile", tmp_path / "long.kerf", steps=4000, objects=50, grow=10)
+@pytest.fixture(scope="module")
+def long_run(tmp_path_factory):
+    """So many steps that `values` goes through them for many times the 50 ms after which it asks for signals again."""
+    return kerf.record("pile", tmp_path_factory.mktemp("long") / "long.kerf", steps=40_000, objects=50, grow=10)
+
+
+def test_a_long_call_can_be_interrupted(long_run):
+    """The handler runs within the call: the recording is in use then."""
     within = []
 
     def handler(number, frame):
         try:
-            run.pairs(1)
+            long_run.pairs(1)
         except RuntimeError:
             within.append(number)
             raise KeyboardInterrupt from None
@@ -231,18 +235,17 @@ def test_a_long_call_can_be_interrupted(tmp_path):
     signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
     try:
         with pytest.raises(KeyboardInterrupt):
-            run.values("missed")
+            long_run.values("missed")
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
     assert within
-    assert len(run.values("pairs")) == 4000
+    assert len(long_run.values("pairs")) == 40_000
 
 
-def test_what_a_condition_catches_does_not_end_the_search_for_the_smallest_run(tmp_path):
+def test_what_a_condition_catches_does_not_end_the_search_for_the_smallest_run(tmp_path, long_run):
     """`minimise` and `values` both ask for signals, some 50 ms after they last did: while the condition runs, only
     `values` may."""
-    long = kerf.record("pile", tmp_path / "long.kerf", steps=4000, objects=50, grow=10)
     run = kerf.record("pile", tmp_path / "run.kerf", steps=10, objects=20, grow=2)
     caught = []
 
@@ -252,7 +255,7 @@ def test_what_a_condition_catches_does_not_end_the_search_for_the_smallest_run(t
     def holds(trial):
         try:
             signal.setitimer(signal.ITIMER_REAL, 0.004 * (1 + len(caught)))
-            long.values("missed")
+            long_run.values("missed")
         except TimeoutError:
             caught.append(trial.steps)
         return True
