@@ -12,7 +12,7 @@ constexpr std::array kVariables{
     VariableWord{Variable::step, "step", "number of the step"},
     VariableWord{Variable::objects, "objects", "objects that have a place in the tree"},
     VariableWord{Variable::changed, "changed", "objects that came, went or got another box in the step"},
-    VariableWord{Variable::pairs, "pairs", "candidate pairs of the step"},
+    VariableWord{Variable::pairs, "pairs", "pairs that the step reported"},
     VariableWord{Variable::height, "height", "depth of the deepest leaf"},
     VariableWord{Variable::leaves, "leaves", "leaves of the tree"},
     VariableWord{Variable::entries, "entries", "entries in all leaves"},
