@@ -11,9 +11,9 @@
  * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT, but for empty lists;
  * that, KERF_BAD_LENGTH, KERF_BAD_SIZE and KERF_BUSY refuse a call as a whole, which then writes no statuses.
  *
- * Structs begin with their size, so that later versions can have more members: kerf_..._init() sets it, and
- * defaults. Reserved members must be 0, and so must those beyond the ones that the library knows; no struct
- * will ever be larger than 4096 bytes. kerf_pair never changes.
+ * A struct that has a kerf_..._init() begins with its size, so that later versions can have more members; the
+ * call sets the size, and defaults. Reserved members must be 0, and so must those that the library does not
+ * know; no struct will ever be larger than 4096 bytes. kerf_pair, kerf_hit and kerf_neighbour never change.
  *
  * Threads: functions that take a const kerf_world may be called at the same time; no other may be meanwhile.
  * Each world has its own oneTBB task arena; the worker threads belong to the process. Two threads may use two

@@ -115,12 +115,13 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "--overwrite", overwrite_,
       "Replace an earlier page and its figures, and runs of another size or another build of kerf");
   command_->footer(
-      "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and "
-      "DIR/experiment.md: figures 12 and 13, and of each\n"
-      "        statement of the paper's sections 6.2 and 7 whether it holds here; DIR/figure-12 and "
-      "figure-13, as .svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv "
-      "(related-simulation-...), a line for each step and broad phase. Ctrl-C keeps the runs that are "
-      "done,\n        and the same command goes on from there.");
+      "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and\n"
+      "        DIR/experiment.md: figures 12 and 13, and whether each statement of the paper's sections 6.2\n"
+      "        and 7 holds here\n"
+      "        DIR/figure-12 and figure-13, as .svg and .png\n"
+      "        DIR/simulation-N-SCENE-seed-S-repeat-R.csv (related-simulation-...), a line for each step\n"
+      "        and broad phase\n"
+      "Ctrl-C keeps the runs that are done, and the same command goes on from there.");
 }
 
 void ExperimentCommand::run() const {

@@ -43,11 +43,9 @@ FilmCommand::FilmCommand(CLI::App& program)
   option("--workers", texts.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
   command_->add_flag("--overwrite", texts.overwrite, "Replace an earlier film and picture");
   command_->footer(
-      "The scene is left, the camera goes slowly around it. Right are the tree as an icicle (a bar is as "
-      "wide\n"
-      "as its node has objects) and the tests that each broad phase makes, step by step. Time stands still "
-      "at\n"
-      "the operators on the largest nodes, while their planes move.");
+      "The scene is on the left; the camera goes slowly around it. On the right are the tree as an icicle\n"
+      "(a bar is as wide as its node has objects) and the tests that each broad phase makes, step by step.\n"
+      "Time stands still at the operators on the largest nodes, while their planes move.");
 }
 
 void FilmCommand::run() const {

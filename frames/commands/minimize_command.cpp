@@ -178,9 +178,8 @@ MinimizeCommand::MinimizeCommand(CLI::App& program)
   output("-o,--out", out_, "The small recording, for example small.kerf")->required();
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
   command_->footer(
-      "Objects, steps and operators are left out as long as the condition still holds (delta debugging). "
-      "Beside the\n"
-      "recording a picture (.png) and a self-contained C++ test (.cpp) are written under its name.");
+      "Objects, steps and operators are left out as long as the condition still holds (delta debugging).\n"
+      "Beside the recording a picture (.png) and a self-contained C++ test (.cpp) get its name.");
 }
 
 void MinimizeCommand::run() const {

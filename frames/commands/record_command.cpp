@@ -32,10 +32,9 @@ RecordCommand::RecordCommand(CLI::App& program)
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
   command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
   command_->footer(
-      "The file is an SQLite database (docs/RECORDING.md). While it is made, and if the program is\n"
-      "killed, it is called FILE.NUMBER.part, and is read by FILE as long as there is no such file: what was "
-      "recorded\n"
-      "until a second before is there.");
+      "The file is an SQLite database (docs/RECORDING.md). While it is made, and if the program is killed,\n"
+      "it is called FILE.NUMBER.part and has all but the last second. Commands read it by the name FILE as\n"
+      "long as there is no FILE.");
 }
 
 void RecordCommand::run() const {

@@ -114,11 +114,9 @@ RerunCommand::RerunCommand(CLI::App& program)
       ->excludes(refuse);
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(
-      "`kerf compare` then shows the first operator that is another one, and the figures of both. What is "
-      "refused\n"
-      "is refused once: Algorithm 1 goes on with what it does where that operator fails. A rerun is a "
-      "recording\n"
-      "of its own, on which the next decision can be made.");
+      "`kerf compare` then shows the first operator that differs, and the figures of both. A refusal holds\n"
+      "once: Algorithm 1 goes on with what it does where that operator fails. A rerun is a recording of its\n"
+      "own, on which the next decision can be made.");
 }
 
 void RerunCommand::run() const {
