@@ -70,9 +70,9 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
                                 std::to_string(objects.size()) + " objects: there must be one for each");
   const UsualComparisons comparisons;
   if (objects.size() < tuning::kFewThings) return requests_.move_many(objects, boxes, receiver());
-  const auto start = workers_.threads.now();
+  const auto start = threads_.now();
   const Status first = requests_.move_many(objects, boxes, receiver());
-  workers_.threads.end_requests(start);
+  threads_.end_requests(start);
   return first;
 }
 
@@ -83,7 +83,7 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
-  const auto start = workers_.threads.now();
+  const auto start = threads_.now();
   if (is_calm()) {
     step_in_rows();
   } else {
@@ -94,7 +94,7 @@ void Bsp<D, Trace>::step() {
     if (step_ == 1) pairs_.reserve(pairs_.size() / 2);
     clock_.end();
   }
-  workers_.threads.end_step(start, modes_.mode(), tree_.objects());
+  threads_.end_step(start, modes_.mode(), tree_.objects());
 }
 
 /// Whether a step would change nothing but boxes, the rows of pairs, and its number: little or nothing moves
@@ -114,8 +114,8 @@ void Bsp<D, Trace>::step_in_rows() {
   if (requests_.given() == 0) return swept_.find_in_rows(tree_.table, pairs_);  // they may be given away
   const DefaultFloats floats;
   swept_.begin_step(tree_, requests_.changed(), true);
-  SweptStep<D>::move_in_root({config_, tree_, requests_, workers_, step_, std::nullopt});
-  requests_.finish_step({}, workers_.threads.pool());
+  SweptStep<D>::move_in_root(context());
+  requests_.finish_step({}, threads_.pool());
   swept_.find_in_rows(tree_.table, pairs_);
 }
 
@@ -205,7 +205,7 @@ void Bsp<D, Trace>::place() {
   swept_.begin_step(tree_, requests_.changed(), rows);
   const bool keeps_on = mode == Mode::kept && before == Mode::kept;
   if (shift && !keeps_on) shift_planes(tree_, *shift);
-  const StepContext<D> context{config_, tree_, requests_, workers_, step_, shift};
+  const StepContext<D> context{config_, tree_, requests_, memory_, threads_, step_, shift};
   if (mode == Mode::kept) {
     placed_ = kept_.place(context, !keeps_on, reporter_);
     modes_.note_cost(kept_.cost());
@@ -218,8 +218,7 @@ void Bsp<D, Trace>::place() {
   } else {
     placed_ = OrderedStep<D>::place(context, reporter_);
   }
-  requests_.finish_step(mode == Mode::kept ? kept_.skins() : std::span<const Skin>{},
-                        workers_.threads.pool());
+  requests_.finish_step(mode == Mode::kept ? kept_.skins() : std::span<const Skin>{}, threads_.pool());
 }
 
 template <int D, class Trace>
@@ -229,12 +228,12 @@ void Bsp<D, Trace>::sort_leaves() {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::find_pairs() {
-  if (modes_.mode() == Mode::kept) return kept_.find({config_, tree_, requests_, workers_, step_}, pairs_);
+  if (modes_.mode() == Mode::kept) return kept_.find(context(), pairs_);
   if (swept_.has_rows(tree_.table)) return swept_.find_in_rows(tree_.table, pairs_);
   const bool ordered = modes_.mode() == Mode::ordered;
   pairs_.clear();
-  workers_.leaf_pass.run(
-      tree_, workers_.threads.pool(), config_.dense,
+  memory_.leaf_pass.run(
+      tree_, threads_.pool(), config_.dense,
       [this, ordered](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) {
         ordered ? OrderedStep<D>::find(tree_, leaf, scratch, pairs)
                 : swept_.find(tree_, leaf, scratch, pairs);

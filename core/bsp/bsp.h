@@ -15,6 +15,7 @@
 #include "core/bsp/requests.h"
 #include "core/bsp/step_context.h"
 #include "core/bsp/swept_step.h"
+#include "core/bsp/thread_use.h"
 #include "core/objects/broad_phase.h"
 #include "core/trace/reporter.h"
 #include "core/trace/statistics.h"
@@ -31,7 +32,7 @@ struct BspState;
 ///
 /// A step gathers the requests, chooses a mode, places the objects, lets the scheduler's operators adjust the
 /// tree, and finds the pairs. How objects are placed and pairs are found is the business of the mode's
-/// strategy: OrderedStep, SweptStep or KeptStep. This class has thirteen fields, since it is where all parts
+/// strategy: OrderedStep, SweptStep or KeptStep. This class has fourteen fields, since it is where all parts
 /// of a step meet; what they do with each other is in `adapt`, `place` and `find_pairs`, and nowhere else.
 ///
 /// If a request or a step throws because memory runs out, the tree can only be destroyed or restored; World
@@ -79,9 +80,7 @@ class Bsp final : public BroadPhase<D> {
   /// How many threads may share the work of a step; 1 to begin with. They do where steps take less time by it
   /// than by one thread, unless `sharing` says always. Pairs and their order, events and state are the same
   /// for any number. Throws std::invalid_argument for 0 and for more than TaskPool::kMostThreads.
-  void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster) {
-    workers_.threads.set(threads, sharing);
-  }
+  void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster) { threads_.set(threads, sharing); }
   /// Whether `statistics()` has the time of each phase: only with a trace to begin with.
   void time_phases(bool on) { clock_.set_on(on); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
@@ -109,7 +108,10 @@ class Bsp final : public BroadPhase<D> {
  private:
   /// The receiver of requests.
   typename Requests<D>::Receiver receiver() {
-    return {tree_.table, workers_.threads.pool(), modes_.mode() == Mode::kept};
+    return {tree_.table, threads_.pool(), modes_.mode() == Mode::kept};
+  }
+  StepContext<D> context(const std::optional<Vector<D>>& shift = {}) {
+    return {config_, tree_, requests_, memory_, threads_, step_, shift};
   }
   [[nodiscard]] bool is_calm() const;
   void step_in_rows();
@@ -131,7 +133,8 @@ class Bsp final : public BroadPhase<D> {
   ModeChooser modes_{D};
   SweptStep<D> swept_;
   KeptStep<D> kept_;
-  Workers<D> workers_;
+  StepMemory<D> memory_;
+  ThreadUse threads_;
   PairBuffer pairs_;
   PhaseClock clock_;
   std::uint64_t placed_ = 0;

@@ -232,13 +232,13 @@ void KeptPairs<D>::placed(const Tree<D>& tree) {
 }
 
 template <int D>
-void KeptPairs<D>::find(const Tree<D>& tree, const KeptObjects<D>& objects, Workers<D>& workers, bool dense,
-                        PairBuffer& pairs) {
+void KeptPairs<D>::find(const StepContext<D>& step, const KeptObjects<D>& objects, PairBuffer& pairs) {
+  const Tree<D>& tree = step.tree;
   leaves_.make_room(tree);
   changes_.resize(leaves_.size());
   resting_.begin_step(tree, leaves_, pairs);
-  workers.leaf_pass.run(
-      tree, workers.threads.pool(), dense,
+  step.memory.leaf_pass.run(
+      tree, step.pool(), step.config.dense,
       [&](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& found) {
         renew(tree, objects, leaf, scratch);
         find_in(tree, objects, leaf, scratch, found);

@@ -78,9 +78,7 @@ class KeptPairs {
   void clear();
   /// Brings the kept pairs up to date with the tree, whose table has the fat boxes, and makes all pairs of
   /// the latest boxes. `pairs` has those of the last call, or none.
-  /// `dense`: see LeafPass::run.
-  void find(const Tree<D>& tree, const KeptObjects<D>& objects, Workers<D>& workers, bool dense,
-            PairBuffer& pairs);
+  void find(const StepContext<D>& step, const KeptObjects<D>& objects, PairBuffer& pairs);
 
  private:
   using Changes = std::span<const EntryChange>;

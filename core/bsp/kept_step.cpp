@@ -166,7 +166,7 @@ std::uint64_t KeptStep<D>::place_all(const StepContext<D>& step, bool many_stay,
                                      Reporter<Trace>& reporter) const {
   LeafBoxes<D> none;
   place_boxes(step, many_stay, none);
-  step.workers.stream_memory = {};  // as long as the list of all objects, and seldom needed
+  step.memory.stream_memory = {};  // as long as the list of all objects, and seldom needed
   reporter.report([&] { return AllPlaced{step.tree.objects()}; });
   return step.requests.changed().size();
 }
@@ -268,9 +268,9 @@ template <int D>
 void KeptStep<D>::find(const StepContext<D>& step, PairBuffer& pairs) {
   const ObjectTable<D>& latest = step.requests.latest();
   const bool far = step.pool().threads() > 1 || exceeds(latest.packed(), tuning::kOwnCache);
-  kept_.find(step.tree,
+  kept_.find(step,
              {step.tree.table, latest, std::as_const(step.requests).flags(), step.config.resting_pairs, far},
-             step.workers, step.config.dense, pairs);
+             pairs);
 }
 
 /// A damaged recording may have too few skins.

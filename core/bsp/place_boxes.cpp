@@ -35,8 +35,8 @@ void find_leavers(const StepContext<D>& step, LeafBoxes<D>& boxes) {
   PackedBox<D> nowhere;
   nowhere.lane.fill(std::numeric_limits<Scalar>::quiet_NaN());
   ObjectTable<D>& table = step.tree.table;
-  const auto& [came, gone] = step.workers.traffic;
-  LeaverPass<D>& pass = step.workers.leaver_pass;
+  const auto& [came, gone] = step.memory.traffic;
+  LeaverPass<D>& pass = step.memory.leaver_pass;
   for (const ObjectId object : gone) table.packed()[object.index()] = nowhere;
   pass.run(step.tree, step.pool(), boxes);
   for (const ObjectId object : gone) table.packed()[object.index()] = step.requests.latest().packed(object);
@@ -47,18 +47,18 @@ void find_leavers(const StepContext<D>& step, LeafBoxes<D>& boxes) {
 
 template <int D>
 bool may_stay(const StepContext<D>& step) {
-  return step.requests.kind() == VolumeKind::box && list_traffic(step, step.workers.traffic) &&
+  return step.requests.kind() == VolumeKind::box && list_traffic(step, step.memory.traffic) &&
          (step.shift || !most_jump(step.requests.latest(), step.tree.table));
 }
 
 template <int D>
 void place_boxes(const StepContext<D>& step, bool many_stay, LeafBoxes<D>& boxes) {
-  Workers<D>& workers = step.workers;
+  StepMemory<D>& memory = step.memory;
   if (many_stay) {
     find_leavers(step, boxes);
-    stream(step.tree, workers.leaver_pass, boxes, workers.stream_memory, step.pool());
+    stream(step.tree, memory.leaver_pass, boxes, memory.stream_memory, step.pool());
   } else {
-    stream(step.tree, boxes, workers.stream_memory, step.pool());
+    stream(step.tree, boxes, memory.stream_memory, step.pool());
   }
 }
 

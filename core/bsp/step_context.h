@@ -21,10 +21,9 @@ struct Traffic {
   std::vector<ObjectId> gone;
 };
 
-/// The threads that share the work of a step, and the memory of its passes, kept between steps.
+/// The memory of the passes of a step, kept between steps.
 template <int D>
-struct Workers {
-  ThreadUse threads;
+struct StepMemory {
   LeafPass<D> leaf_pass;
   Traffic traffic;
   LeaverPass<D> leaver_pass;
@@ -37,11 +36,12 @@ struct StepContext {
   const Config& config;
   Tree<D>& tree;
   Requests<D>& requests;
-  Workers<D>& workers;
+  StepMemory<D>& memory;
+  const ThreadUse& threads;
   std::uint32_t number;              ///< of the step
   std::optional<Vector<D>> shift{};  ///< by which nearly all objects moved
 
-  [[nodiscard]] TaskPool& pool() const { return workers.threads.pool(); }
+  [[nodiscard]] TaskPool& pool() const { return threads.pool(); }
 };
 
 }  // namespace kerf

@@ -34,11 +34,14 @@ class Kept : public testing::Test {
 
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree,
                                     const ObjectTable<T::value>& table) {
-    Workers<T::value> workers;
-    workers.threads.set(2, Sharing::always);
+    const Config config{};
+    Requests<T::value> requests(VolumeKind::box);
+    StepMemory<T::value> memory;
+    ThreadUse threads;
+    threads.set(2, Sharing::always);
     const std::vector<ObjectFlags> flags(kCount);
     PairBuffer pairs;
-    kept.find(tree, {tree.table, table, flags, true, true}, workers, true, pairs);
+    kept.find({config, tree, requests, memory, threads, 1}, {tree.table, table, flags, true, true}, pairs);
     return {pairs.all().begin(), pairs.all().end()};
   }
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {

@@ -156,12 +156,12 @@ TYPED_TEST(Policies, WithoutLeafBoxesNoneAreCopied) {
     const Config config = tuned_without(leaf_boxes ? "skin=0" : "skin=0,leaf_boxes=0");
     Tree<kD> tree(make_projector<kD>(config, VolumeKind::box));
     Requests<kD> requests(VolumeKind::box);
-    Workers<kD> workers;
+    StepMemory<kD> memory;
+    const ThreadUse threads{};
     Reporter<NoTrace> reporter;
     SweptStep<kD> swept;
-    const StepContext<kD> step{config, tree, requests, workers, 1};
-    ASSERT_EQ(requests.insert({kFar}, slab<kD>(0, 1), Mobility::moving,
-                              {tree.table, workers.threads.pool(), false}),
+    const StepContext<kD> step{config, tree, requests, memory, threads, 1};
+    ASSERT_EQ(requests.insert({kFar}, slab<kD>(0, 1), Mobility::moving, {tree.table, threads.pool(), false}),
               Status::ok);
     swept.place_all(step, Mode::swept, Mode::swept, reporter);
     EXPECT_EQ(swept.copies_boxes(), leaf_boxes);
