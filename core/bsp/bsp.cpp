@@ -193,32 +193,39 @@ void Bsp<D, Trace>::choose_mode(std::uint64_t row_tests, bool is_shift) {
   requests_.end_following();
 }
 
-/// Brings the tree's entries up to date with the requests.
+/// Brings the tree's entries up to date with the requests, in the mode that they call for.
 template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = modes_.mode();
   const std::uint64_t tests = row_tests();
   const std::optional<Vector<D>> shift = common_motion(tests);
   choose_mode(tests, shift.has_value());
-  const Mode mode = modes_.mode();
-  const bool rows = mode == Mode::swept && tests <= tuning::kRowTests;
+  const bool rows = modes_.mode() == Mode::swept && tests <= tuning::kRowTests;
   swept_.begin_step(tree_, requests_.changed(), rows);
+  placed_ = place_after(before, context(shift), rows);
+  requests_.finish_step(modes_.mode() == Mode::kept ? kept_.skins() : std::span<const Skin>{},
+                        threads_.pool());
+}
+
+/// Places the objects after a step of mode `before`, and returns how many. `rows`: rows of bits pay.
+template <int D, class Trace>
+std::uint64_t Bsp<D, Trace>::place_after(Mode before, const StepContext<D>& step, bool rows) {
+  const Mode mode = modes_.mode();
   const bool keeps_on = mode == Mode::kept && before == Mode::kept;
-  if (shift && !keeps_on) shift_planes(tree_, *shift);
-  const StepContext<D> context{config_, tree_, requests_, memory_, threads_, step_, shift};
+  if (step.shift && !keeps_on) shift_planes(tree_, *step.shift);
   if (mode == Mode::kept) {
-    placed_ = kept_.place(context, !keeps_on, reporter_);
+    const std::uint64_t placed = kept_.place(step, !keeps_on, reporter_);
     modes_.note_cost(kept_.cost());
-  } else if (rows && before == Mode::swept && requests_.are_moves()) {
-    SweptStep<D>::move_in_root(context);
-    placed_ = 0;
-  } else if (before == Mode::kept || shift ||
-             (mode == Mode::swept && requests_.changed_exceed(config_.stream_share))) {
-    placed_ = swept_.place_all(context, before, mode, reporter_);
-  } else {
-    placed_ = OrderedStep<D>::place(context, reporter_);
+    return placed;
   }
-  requests_.finish_step(mode == Mode::kept ? kept_.skins() : std::span<const Skin>{}, threads_.pool());
+  if (rows && before == Mode::swept && requests_.are_moves()) {
+    SweptStep<D>::move_in_root(step);
+    return 0;
+  }
+  if (before == Mode::kept || step.shift ||
+      (mode == Mode::swept && requests_.changed_exceed(config_.stream_share)))
+    return swept_.place_all(step, before, mode, reporter_);
+  return OrderedStep<D>::place(step, reporter_);
 }
 
 template <int D, class Trace>

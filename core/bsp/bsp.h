@@ -121,6 +121,7 @@ class Bsp final : public BroadPhase<D> {
   [[nodiscard]] Evidence evidence(std::uint64_t row_tests, bool is_shift) const;
   void choose_mode(std::uint64_t row_tests, bool is_shift);
   void place();
+  std::uint64_t place_after(Mode before, const StepContext<D>& step, bool rows);
   void sort_leaves();
   void find_pairs();
   void begin(Phase phase);
