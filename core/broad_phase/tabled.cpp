@@ -8,7 +8,7 @@ namespace kerf {
 
 /// The list is out of date only if the set of placed objects changes.
 template <int D>
-Status Tabled<D>::note(ObjectId object, Status status) {
+Status Tabled<D>::track(ObjectId object, Status status) {
   if (is_refused(status)) return status;
   const bool listed = object.index() < listed_.size() && listed_[object.index()] != 0;
   list_is_old_ |= listed != table_.is_placed(object);
@@ -18,12 +18,12 @@ Status Tabled<D>::note(ObjectId object, Status status) {
 template <int D>
 Status Tabled<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
   const DefaultFloats floats;
-  return note(object, table_.insert(object, box, mobility));
+  return track(object, table_.insert(object, box, mobility));
 }
 
 template <int D>
 Status Tabled<D>::remove(ObjectId object) {
-  return note(object, table_.remove(object));
+  return track(object, table_.remove(object));
 }
 
 template <int D>
@@ -31,7 +31,7 @@ Status Tabled<D>::move_many(std::span<const ObjectId> objects, std::span<const B
   const DefaultFloats floats;
   Status first = Status::ok;
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const Status status = note(objects[k], table_.move(objects[k], boxes[k]));
+    const Status status = track(objects[k], table_.move(objects[k], boxes[k]));
     if (first == Status::ok) first = status;
   }
   return first;

@@ -17,7 +17,7 @@ class Tabled : public BroadPhase<D> {
   Status insert(ObjectId object, const Box<D>& box, Mobility mobility) final;
   Status move(ObjectId object, const Box<D>& box) final {
     const UsualComparisons floats;
-    return note(object, table_.move(object, box));
+    return track(object, table_.move(object, box));
   }
   Status remove(ObjectId object) final;
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) final;
@@ -41,7 +41,7 @@ class Tabled : public BroadPhase<D> {
   [[nodiscard]] const std::vector<ObjectId>& placed() const { return placed_; }
 
  private:
-  Status note(ObjectId object, Status status);
+  Status track(ObjectId object, Status status);
   void list_placed();
 
   ObjectTable<D> table_;

@@ -215,7 +215,7 @@ std::uint64_t Bsp<D, Trace>::place_after(Mode before, const StepContext<D>& step
   if (step.shift && !keeps_on) shift_planes(tree_, *step.shift);
   if (mode == Mode::kept) {
     const std::uint64_t placed = kept_.place(step, !keeps_on, reporter_);
-    modes_.note_cost(kept_.cost());
+    modes_.count_cost(kept_.cost());
     return placed;
   }
   if (rows && before == Mode::swept && requests_.are_moves()) {

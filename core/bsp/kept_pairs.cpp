@@ -222,7 +222,7 @@ bool KeptPairs<D>::are_many_restless(const Tree<D>& tree, NodeId leaf, std::size
 }
 
 template <int D>
-void KeptPairs<D>::note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count) {
+void KeptPairs<D>::set_restless_count(const Tree<D>& tree, NodeId leaf, std::size_t count) {
   if (leaves_.has(tree, leaf)) leaves_[leaf].restless_entries = count;
 }
 

@@ -51,14 +51,14 @@ template <int D>
 class KeptPairs {
  public:
   /// Call it for every entry that placement changes in a leaf that keeps pairs, old places before new ones.
-  void note(const EntryChange& change) {
+  void add_change(const EntryChange& change) {
     std::vector<EntryChange>& changes = changes_[change.leaf.index()];
     if (changes.empty()) touched_.push_back(change.leaf);
     changes.push_back(change);
   }
   /// Call it when placement is done: leaves that change from now on are swept anew.
   void placed(const Tree<D>& tree);
-  /// Whether pairs of the leaf are kept: only then its changes must be noted.
+  /// Whether pairs of the leaf are kept: only then its changes must be added.
   [[nodiscard]] bool keeps(const Tree<D>& tree, NodeId leaf) const {
     return leaves_.has(tree, leaf) && !leaves_[leaf].swept;
   }
@@ -69,7 +69,7 @@ class KeptPairs {
   /// Whether so many restless entries are too many to keep pairs of the leaf.
   [[nodiscard]] bool are_many_restless(const Tree<D>& tree, NodeId leaf, std::size_t count) const;
   /// Call it before placement with the number of restless entries of the leaf.
-  void note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count);
+  void set_restless_count(const Tree<D>& tree, NodeId leaf, std::size_t count);
   /// Call it before placement if the tree's boxes moved by the vector, each number rounded. `drift`: by how
   /// much gaps may have shrunk. As soon as all drifts together reach the slack of the leaves, the next `find`
   /// sweeps all of them, with this new `slack`.

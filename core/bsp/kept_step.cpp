@@ -243,7 +243,7 @@ template <class Trace>
 void KeptStep<D>::take_out(const StepContext<D>& step, Reporter<Trace>& reporter) {
   std::vector<Departure> departures;
   for (const FatPiece& piece : pieces_) {
-    for (const EntryChange& change : piece.entries) kept_.note(change);
+    for (const EntryChange& change : piece.entries) kept_.add_change(change);
     for (const NodeId leaf : piece.touched) step.tree[leaf].unsorted = true;
     for (const ObjectId object : piece.leaving)
       if (!step.requests.latest().is_placed(object)) reporter.report([&] { return ObjectPlaced{object, 0}; });

@@ -82,7 +82,7 @@ bool ModeChooser::are_mild(const Motions& motions) const {
 }
 
 /// Where too many objects are restless, the next try is far away, until they are few.
-void ModeChooser::note_cost(float cost) {
+void ModeChooser::count_cost(float cost) {
   if (cost < tuning::kCostlyKeeping) return;
   begin_period();
   regrets_ = true;

@@ -37,7 +37,7 @@ class ModeChooser {
   [[nodiscard]] const Transition* taken() const { return taken_; }
   /// Counts for the next decision: what the present step costs with kept pairs, over what it would cost if
   /// all leaves were swept.
-  void note_cost(float cost);
+  void count_cost(float cost);
   /// Whether the next decision has no need of a sample: keeping was too costly.
   [[nodiscard]] bool regrets() const { return regrets_; }
 

@@ -48,7 +48,7 @@ void PairBits<D>::take(const ObjectTable<D>& table, std::span<const Pair> pairs)
 }
 
 template <int D>
-void PairBits<D>::note(std::span<const ObjectId> changed) {
+void PairBits<D>::expect_changes(std::span<const ObjectId> changed) {
   if (known_) changed_.insert(changed_.end(), changed.begin(), changed.end());
 }
 

@@ -25,7 +25,7 @@ class PairBits {
   /// The pairs of the table's boxes are these.
   void take(const ObjectTable<D>& table, std::span<const Pair> pairs);
   /// The boxes of these objects change before the pairs are found next, or they come or go.
-  void note(std::span<const ObjectId> changed);
+  void expect_changes(std::span<const ObjectId> changed);
   /// Makes `pairs`, those of the last step or none, the pairs of the table's boxes.
   void find(const ObjectTable<D>& table, PairBuffer& pairs);
 

@@ -52,7 +52,7 @@ void RestlessPass<D>::follow_in(Tree<D>& tree, const Objects& objects, KeptPairs
                                 Piece& piece) {
   const std::size_t count = list_objects(tree, objects, kept, leaf, piece.objects);
   const bool is_swept = kept.are_many_restless(tree, leaf, count);
-  kept.note_restless(tree, leaf, count);
+  kept.set_restless_count(tree, leaf, count);
   (is_swept ? piece.counts.swept : piece.counts.looked_up) += is_swept ? tree[leaf].entries.size() : count;
   piece.counts.followed += piece.objects.size();
   if (piece.objects.empty()) return;

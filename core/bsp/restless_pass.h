@@ -26,8 +26,8 @@ class RestlessPass {
     std::span<const ObjectFlags> flags;  ///< restless: kUnrequested; with other flags, it is not followed
   };
 
-  /// Gives the tree's table the latest boxes of the objects that stay restless and in their leaves, and notes
-  /// in the kept leaves how many restless entries they have.
+  /// Gives the tree's table the latest boxes of the objects that stay restless and in their leaves, and
+  /// the kept leaves the number of their restless entries.
   void run(Tree<D>& tree, const Objects& objects, KeptPairs<D>& kept, TaskPool& pool);
 
   /// The other restless objects, in ascending order: they left their leaves, or have calmed.

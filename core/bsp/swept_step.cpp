@@ -14,7 +14,7 @@ template <int D>
 void SweptStep<D>::begin_step(const Tree<D>& tree, std::span<const ObjectId> changed, bool rows) {
   leaf_boxes_.begin(tree, false);
   wants_rows_ = rows;
-  rows ? rows_.note(changed) : rows_.forget();
+  rows ? rows_.expect_changes(changed) : rows_.forget();
 }
 
 template <int D>

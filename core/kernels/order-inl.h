@@ -36,10 +36,10 @@ HWY_INLINE void make_fine_keys(const LeafView<D>& leaf, const ByteScale<D>& scal
 }
 
 /// Counts the entries that begin at each step, and writes their places and bytes in that order. `begin(i)` is
-/// the step at which an entry begins; `note(place, i)` is called for each. The order is stable. The entries
+/// the step at which an entry begins; `put(place, i)` is called for each. The order is stable. The entries
 /// stay where they are: copying them costs more than finding them by their places.
-template <int D, class Begin, class Note>
-HWY_INLINE void order_by(ByteSweep<D>& sweep, std::size_t n, std::size_t steps, Begin begin, Note note) {
+template <int D, class Begin, class Put>
+HWY_INLINE void order_by(ByteSweep<D>& sweep, std::size_t n, std::size_t steps, Begin begin, Put put) {
   const ByteKey<D>* const keys = sweep.keys.data();
   std::uint32_t* const ends = sweep.ends.data();
   std::fill_n(ends, steps + 1, 0U);
@@ -53,7 +53,7 @@ HWY_INLINE void order_by(ByteSweep<D>& sweep, std::size_t n, std::size_t steps, 
     const std::uint32_t place = next[begin(i)]++;
     order[place] = static_cast<std::uint32_t>(i);
     sorted_keys[place] = keys[i];
-    note(place, i);
+    put(place, i);
   }
 }
 

@@ -29,13 +29,13 @@ class Finder {
     }
     settle(row);
     if (row.kind != Kind::acted) return;
-    if (row.op == Operator::split || row.op == Operator::shift_split) note_split(row);
+    if (row.op == Operator::split || row.op == Operator::shift_split) take_split(row);
     if (row.op == Operator::merge) memory_[row.node.node].merge = row.step;
-    if (row.op == Operator::balance) note_shift(row);
+    if (row.op == Operator::balance) take_shift(row);
   }
 
   std::vector<Thrash> finish(std::uint32_t last_step) {
-    for (const auto& [key, row] : listed_) note_wait(row, last_step);
+    for (const auto& [key, row] : listed_) add_if_starved(row, last_step);
     std::ranges::stable_sort(found_, {}, &Thrash::event);
     return std::move(found_);
   }
@@ -51,17 +51,17 @@ class Finder {
   void settle(const OperatorRow& row) {
     const auto listed = listed_.find(key_of(row));
     if (listed == listed_.end()) return;
-    note_wait(listed->second, row.step);
+    add_if_starved(listed->second, row.step);
     listed_.erase(listed);
   }
 
-  void note_wait(const OperatorRow& row, std::uint32_t until) {
+  void add_if_starved(const OperatorRow& row, std::uint32_t until) {
     // Merges are listed anew by each traversal, and done when there is time, as in the paper.
     if (row.op != Operator::merge && until - row.step > steps_)
       found_.push_back({ThrashKind::starved, row.op, row.node.node, row.event, row.step, until});
   }
 
-  void note_split(const OperatorRow& row) {
+  void take_split(const OperatorRow& row) {
     NodeMemory& memory = memory_[row.node.node];
     if (memory.split != 0 && memory.merge >= memory.split && row.step - memory.split <= steps_)
       found_.push_back(
@@ -70,7 +70,7 @@ class Finder {
     memory.merge = 0;
   }
 
-  void note_shift(const OperatorRow& row) {
+  void take_shift(const OperatorRow& row) {
     NodeMemory& memory = memory_[row.node.node];
     const bool turned = memory.way * row.shift() < 0;
     if (turned && memory.back != 0 && row.step - memory.shift <= steps_)

@@ -72,11 +72,11 @@ void Recorder<D>::check_alone() const {
 
 /// A request that the tree takes is written down.
 template <int D>
-template <class Ask, class Note>
-Status Recorder<D>::request(Ask ask, Note note) {
+template <class Ask, class Write>
+Status Recorder<D>::request(Ask ask, Write write) {
   Change change(*this);
   const Status status = ask();
-  if (!is_refused(status)) note();
+  if (!is_refused(status)) write();
   change.finish();
   return status;
 }

@@ -56,8 +56,8 @@ class Recorder final : public BroadPhase<D> {
 
  private:
   class Change;
-  template <class Ask, class Note>
-  Status request(Ask ask, Note note);
+  template <class Ask, class Write>
+  Status request(Ask ask, Write write);
   void add_moves_of_known(std::span<const ObjectId> objects, std::span<const Box<D>> boxes);
   void check_open() const;
   void check_alone() const;

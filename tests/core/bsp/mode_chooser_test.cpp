@@ -16,7 +16,7 @@ class Choice {
   void kept(const Leaving& leaving) { chooser_.decide({true, true, {}, leaving}); }
   /// Decides about the step after one with swept leaves, in which all objects moved alike.
   void swept_shift(const Motions& motions) { chooser_.decide({true, true, motions, {}, true}); }
-  void cost(float cost) { chooser_.note_cost(cost); }
+  void cost(float cost) { chooser_.count_cost(cost); }
   [[nodiscard]] ModeChooser& chooser() { return chooser_; }
 
   /// The number of decisions until the mode changes, at most `most`.

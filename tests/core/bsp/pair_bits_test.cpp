@@ -110,9 +110,9 @@ void change_and_compare(std::uint32_t count) {
   bits.take(table, pairs.all());
   ASSERT_TRUE(bits.have_room(table));
   for (int step = 0; step < 100; ++step) {
-    bits.note(step % 5 == 3   ? change_all(table, random)
-              : step % 5 == 4 ? change_nearly_all(table, random)
-                              : change_some(table, random));
+    bits.expect_changes(step % 5 == 3   ? change_all(table, random)
+                        : step % 5 == 4 ? change_nearly_all(table, random)
+                                        : change_some(table, random));
     if (step % 10 == 9) pairs.clear();  // the list was given away
     bits.find(table, pairs);
     ASSERT_EQ(difference(pairs.all(), oracle_pairs(table)), "") << "in step " << step;
