@@ -18,7 +18,7 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
   cost_ = 0;
   if (begins) {
     const bool many_stay = may_stay(step);
-    make_all_fat(step);
+    fatten_all(step);
     return place_all(step, many_stay, reporter);
   }
   list_sleepers(step);
@@ -30,7 +30,7 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
     kept_.shift(*step.shift, shift_pass_.drift(), shift_pass_.slack());
   }
   follow_restless(step);
-  make_fat_boxes(step);
+  fatten_changed(step);
   if (!step.requests.changed_exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
     return place_changed(step, reporter);
   const bool many_stay = may_stay(step);
@@ -59,7 +59,7 @@ Box<D> KeptStep<D>::make_fat_box(const StepContext<D>& step, ObjectId object, co
 /// Gives fat boxes to all objects, by their motions since the tree's boxes: if a shift could not be followed,
 /// by the way from their old fat boxes.
 template <int D>
-void KeptStep<D>::make_all_fat(const StepContext<D>& step) {
+void KeptStep<D>::fatten_all(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();
   ObjectTable<D>& table = step.tree.table;
   skins_.resize(latest.bound());
@@ -118,7 +118,7 @@ void KeptStep<D>::follow_restless(const StepContext<D>& step) {
 
 /// The new fat boxes of the objects that left theirs, into fat_.
 template <int D>
-void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
+void KeptStep<D>::fatten_changed(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();
   const ObjectTable<D>& table = step.tree.table;
   const std::span<const ObjectId> changed = step.requests.changed();
@@ -179,7 +179,7 @@ std::uint64_t KeptStep<D>::place_changed(const StepContext<D>& step, Reporter<Tr
   pieces_.resize(step.pool().slices_of(count, tuning::kFewWalks));
   const auto find_all = [&](const Slice& slice, std::size_t k) {
     pieces_[k].clear();
-    for (std::size_t at = slice.begin; at < slice.end; ++at) find_places(step, at, pieces_[k]);
+    for (std::size_t at = slice.begin; at < slice.end; ++at) list_changes(step, at, pieces_[k]);
   };
   step.pool().for_slices(count, find_all, tuning::kFewWalks);
   take_out(step, reporter);
@@ -193,9 +193,9 @@ std::uint64_t KeptStep<D>::place_changed(const StepContext<D>& step, Reporter<Tr
   return placed;
 }
 
-/// Where the k-th of the changed objects was, and where it goes.
+/// What changes in the tree with the k-th of the changed objects: the leaves where it was and where it goes.
 template <int D>
-void KeptStep<D>::find_places(const StepContext<D>& step, std::size_t k, FatPiece& piece) const {
+void KeptStep<D>::list_changes(const StepContext<D>& step, std::size_t k, FatPiece& piece) const {
   const ObjectId object = step.requests.changed()[k];
   const Tree<D>& tree = step.tree;
   const bool was_placed = tree.table.is_placed(object);
@@ -210,7 +210,7 @@ void KeptStep<D>::find_places(const StepContext<D>& step, std::size_t k, FatPiec
     reach(tree, tree.table.box(object), piece.old_places, piece.left);
   }
   if (is_placed) reach(tree, fat_[k].unpack(), piece.new_places, piece.entered);
-  note_entries(step, object, piece);
+  list_entry_changes(step, object, piece);
   if (piece.old_places == piece.new_places) {
     for (const Reached& place : piece.new_places) piece.touched.push_back(place.leaf);
     piece.left.resize(left);
@@ -225,7 +225,7 @@ void KeptStep<D>::find_places(const StepContext<D>& step, std::size_t k, FatPiec
 
 /// The entries that an object loses and gets, in leaves that keep pairs.
 template <int D>
-void KeptStep<D>::note_entries(const StepContext<D>& step, ObjectId object, FatPiece& piece) const {
+void KeptStep<D>::list_entry_changes(const StepContext<D>& step, ObjectId object, FatPiece& piece) const {
   const Tree<D>& tree = step.tree;
   const bool was_restless = (step.requests.flags()[object.index()] & flag::kWasRestless) != 0;
   const bool is_restless = skins_[object.index()].is_restless();

@@ -39,17 +39,17 @@ class KeptStep {
  private:
   [[nodiscard]] Box<D> make_fat_box(const StepContext<D>& step, ObjectId object, const Box<D>& before,
                                     bool had_fat);
-  void make_all_fat(const StepContext<D>& step);
+  void fatten_all(const StepContext<D>& step);
   void list_sleepers(const StepContext<D>& step);
   void follow_restless(const StepContext<D>& step);
-  void make_fat_boxes(const StepContext<D>& step);
+  void fatten_changed(const StepContext<D>& step);
   void take_fat_boxes(const StepContext<D>& step) const;
   template <class Trace>
   std::uint64_t place_all(const StepContext<D>& step, bool many_stay, Reporter<Trace>& reporter) const;
   template <class Trace>
   std::uint64_t place_changed(const StepContext<D>& step, Reporter<Trace>& reporter);
-  void find_places(const StepContext<D>& step, std::size_t k, FatPiece& piece) const;
-  void note_entries(const StepContext<D>& step, ObjectId object, FatPiece& piece) const;
+  void list_changes(const StepContext<D>& step, std::size_t k, FatPiece& piece) const;
+  void list_entry_changes(const StepContext<D>& step, ObjectId object, FatPiece& piece) const;
   template <class Trace>
   void take_out(const StepContext<D>& step, Reporter<Trace>& reporter);
   template <class Trace>
