@@ -16,20 +16,6 @@
 namespace kerf {
 namespace {
 
-/// The box around all of them, packed: the least of each lane.
-template <int D>
-void join(PackedBox<D>& all, const PackedBox<D>& box) {
-  for (std::size_t k = 0; k < box.lane.size(); ++k)
-    all.lane[k] = box.lane[k] < all.lane[k] ? box.lane[k] : all.lane[k];
-}
-
-template <int D>
-PackedBox<D> nothing() {
-  PackedBox<D> none;
-  none.lane.fill(std::numeric_limits<Scalar>::infinity());
-  return none;
-}
-
 /// The largest coordinate of a box.
 template <int D>
 Scalar reach_of(const Box<D>& box) {
@@ -100,7 +86,7 @@ bool ShiftPass<D>::run(const StepContext<D>& step) {
   if (!move_offsets(step) || !measure(step)) return false;
   find_left_behind(step);
   unlist_followers(step);
-  swap_planes(step.tree);
+  exchange_offsets(step.tree);
   find_misplaced(step);
   if (!misplaced_.empty()) note_places(step);
   move_table(step);
@@ -141,13 +127,13 @@ bool ShiftPass<D>::measure(const StepContext<D>& step) {
   const Tree<D>& tree = step.tree;
   around_.resize(step.pool().slices_of(tree.table.bound()));
   step.pool().for_slices(tree.table.bound(), [&](const Slice& slice, std::size_t piece) {
-    PackedBox<D> all = nothing<D>();
+    PackedBox<D> all(Box<D>::empty());
     for (std::size_t id = slice.begin; id < slice.end; ++id)
-      if (tree.table.is_placed({static_cast<std::uint32_t>(id)})) join(all, tree.table.packed()[id]);
+      if (tree.table.is_placed({static_cast<std::uint32_t>(id)})) all = join(all, tree.table.packed()[id]);
     around_[piece] = all;
   });
-  PackedBox<D> all = nothing<D>();
-  for (const PackedBox<D>& box : around_) join(all, box);
+  PackedBox<D> all(Box<D>::empty());
+  for (const PackedBox<D>& box : around_) all = join(all, box);
   reach_before_ = reach_of(all.unpack());
   reach_after_ = reach_of(moved(all, packed_shift(step)).unpack());
   size_ = typical_size(tree.table);
@@ -202,9 +188,9 @@ void ShiftPass<D>::unlist_followers(const StepContext<D>& step) {
   requests.forget_unchanged();
 }
 
-/// Exchanges the tree's partitioners for those kept here.
+/// Exchanges the offsets of the tree's partitioners for those that are kept here.
 template <int D>
-void ShiftPass<D>::swap_planes(Tree<D>& tree) {
+void ShiftPass<D>::exchange_offsets(Tree<D>& tree) {
   for_each_node(tree, tree.root(), [&](NodeId id) {
     if (!tree[id].is_leaf()) std::swap(tree[id].plane.offset, offsets_[id.index()]);
   });
@@ -250,13 +236,13 @@ void ShiftPass<D>::find_misplaced_in(const StepContext<D>& step, NodeId leaf, Pi
 /// Where misplaced objects have their entries: by partitioners and boxes before the shift.
 template <int D>
 void ShiftPass<D>::note_places(const StepContext<D>& step) {
-  swap_planes(step.tree);
+  exchange_offsets(step.tree);
   for (Misplaced& object : misplaced_) {
     reach(step.tree, step.tree.table.box(object.object), reached_, passed_);
     object.reached = reached_.size();
     object.passed = passed_.size();
   }
-  swap_planes(step.tree);
+  exchange_offsets(step.tree);
 }
 
 template <int D>

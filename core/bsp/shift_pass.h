@@ -57,7 +57,7 @@ class ShiftPass {
   bool measure(const StepContext<D>& step);
   void find_left_behind(const StepContext<D>& step);
   void unlist_followers(const StepContext<D>& step);
-  void swap_planes(Tree<D>& tree);
+  void exchange_offsets(Tree<D>& tree);
   void find_misplaced(const StepContext<D>& step);
   void find_misplaced_in(const StepContext<D>& step, NodeId leaf, Piece& piece) const;
   void note_places(const StepContext<D>& step);

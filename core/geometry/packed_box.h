@@ -53,6 +53,13 @@ constexpr PackedBox<D> moved(const PackedBox<D>& box, const PackedBox<D>& by) {
   return result;
 }
 
+/// The smallest box that holds both: the least of each lane.
+template <int D>
+constexpr PackedBox<D> join(PackedBox<D> a, const PackedBox<D>& b) {
+  for (std::size_t i = 0; i < a.lane.size(); ++i) a.lane[i] = b.lane[i] < a.lane[i] ? b.lane[i] : a.lane[i];
+  return a;
+}
+
 /// Whether `test(lane)` holds for each lane. Written so that compilers compare whole vectors; no branch
 /// depends on a lane.
 template <int D, class Test>
