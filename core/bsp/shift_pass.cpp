@@ -81,14 +81,12 @@ bool is_in_place(const std::vector<LeafAncestor<D>>& ancestors, DepthMask stradd
 template <int D>
 bool ShiftPass<D>::run(const StepContext<D>& step) {
   misplaced_.clear();
-  reached_.clear();
-  passed_.clear();
   if (!move_offsets(step) || !measure(step)) return false;
   find_left_behind(step);
   unlist_followers(step);
   exchange_offsets(step.tree);
   find_misplaced(step);
-  if (!misplaced_.empty()) note_places(step);
+  if (!misplaced_.empty()) find_entries(step);
   move_table(step);
   list_changed(step);
   return true;
@@ -235,13 +233,10 @@ void ShiftPass<D>::find_misplaced_in(const StepContext<D>& step, NodeId leaf, Pi
 
 /// Where misplaced objects have their entries: by partitioners and boxes before the shift.
 template <int D>
-void ShiftPass<D>::note_places(const StepContext<D>& step) {
+void ShiftPass<D>::find_entries(const StepContext<D>& step) {
   exchange_offsets(step.tree);
-  for (Misplaced& object : misplaced_) {
-    reach(step.tree, step.tree.table.box(object.object), reached_, passed_);
-    object.reached = reached_.size();
-    object.passed = passed_.size();
-  }
+  for (Misplaced& misplaced : misplaced_)
+    reach(step.tree, step.tree.table.box(misplaced.object), misplaced.reached, misplaced.passed);
   exchange_offsets(step.tree);
 }
 
@@ -278,13 +273,8 @@ template <int D>
 void ShiftPass<D>::append_places(ObjectId object, std::vector<Reached>& reached,
                                  std::vector<NodeId>& passed) const {
   const auto at = std::ranges::lower_bound(misplaced_, object, {}, &Misplaced::object);
-  const Misplaced begin = at == misplaced_.begin() ? Misplaced{} : *std::prev(at);
-  const auto copy = [](const auto& from, std::size_t first, std::size_t end, auto& to) {
-    const auto part = std::span(from).subspan(first, end - first);
-    to.insert(to.end(), part.begin(), part.end());
-  };
-  copy(reached_, begin.reached, at->reached, reached);
-  copy(passed_, begin.passed, at->passed, passed);
+  reached.insert(reached.end(), at->reached.begin(), at->reached.end());
+  passed.insert(passed.end(), at->passed.begin(), at->passed.end());
 }
 
 template class ShiftPass<2>;

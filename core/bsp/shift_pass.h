@@ -49,8 +49,8 @@ class ShiftPass {
   };
   struct Misplaced {
     ObjectId object;
-    std::size_t reached = 0;  ///< where its places end in `reached_`; they begin where those before it end
-    std::size_t passed = 0;   ///< the same in `passed_`
+    std::vector<Reached> reached{};  ///< the leaves that have its entries
+    std::vector<NodeId> passed{};    ///< the nodes on the way, the leaves included
   };
 
   bool move_offsets(const StepContext<D>& step);
@@ -60,7 +60,7 @@ class ShiftPass {
   void exchange_offsets(Tree<D>& tree);
   void find_misplaced(const StepContext<D>& step);
   void find_misplaced_in(const StepContext<D>& step, NodeId leaf, Piece& piece) const;
-  void note_places(const StepContext<D>& step);
+  void find_entries(const StepContext<D>& step);
   void move_table(const StepContext<D>& step) const;
   void list_changed(const StepContext<D>& step) const;
 
@@ -73,8 +73,6 @@ class ShiftPass {
   std::vector<ObjectId> left_behind_;
   std::vector<NodeId> leaves_;
   std::vector<Misplaced> misplaced_;  ///< in ascending order
-  std::vector<Reached> reached_;
-  std::vector<NodeId> passed_;
 };
 
 extern template class ShiftPass<2>;
