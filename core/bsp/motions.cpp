@@ -49,8 +49,9 @@ Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree,
 }
 
 template <int D>
-Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::span<const ObjectId> changed,
-                       std::span<const PackedBox<D>> before) {
+Leaving sample_leaving(const Requests<D>& requests, const Config& config) {
+  const ObjectTable<D>& latest = requests.latest();
+  const std::span<const ObjectId> changed = requests.changed();
   Leaving leaving;
   leaving.share = static_cast<float>(changed.size()) / static_cast<float>(latest.size() + 1);
   if (leaving.share <= tuning::kHotShare) return leaving;
@@ -59,7 +60,7 @@ Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t at = sample_place(k, changed.size());
     const ObjectId object = changed[at];
-    if (latest.is_placed(object)) sample.add(latest.packed(object), before[at]);
+    if (latest.is_placed(object)) sample.add(latest.packed(object), requests.before()[at]);
   }
   leaving.motions = sample.motions();
   return leaving;
@@ -79,11 +80,10 @@ bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
   return 2 * jumped > count;
 }
 
-#define KERF_INSTANTIATE(D)                                                                           \
-  template Motions sample_motions<D>(const ObjectTable<D>&, const ObjectTable<D>&, const Config&,     \
-                                     std::uint32_t, std::uint32_t);                                   \
-  template Leaving sample_leaving<D>(const ObjectTable<D>&, const Config&, std::span<const ObjectId>, \
-                                     std::span<const PackedBox<D>>);                                  \
+#define KERF_INSTANTIATE(D)                                                                       \
+  template Motions sample_motions<D>(const ObjectTable<D>&, const ObjectTable<D>&, const Config&, \
+                                     std::uint32_t, std::uint32_t);                               \
+  template Leaving sample_leaving<D>(const Requests<D>&, const Config&);                          \
   template bool most_jump<D>(const ObjectTable<D>&, const ObjectTable<D>&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "core/base/config.h"
-#include "core/geometry/packed_box.h"
-#include "core/objects/object_table.h"
+#include "core/bsp/requests.h"
 
 namespace kerf {
 
@@ -27,10 +25,9 @@ template <int D>
 Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
                        std::uint32_t step, std::uint32_t count);
 
-/// Of the changed objects of a step with kept pairs; `before` has the boxes from which they moved.
+/// Of the changed objects of a step with kept pairs.
 template <int D>
-Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::span<const ObjectId> changed,
-                       std::span<const PackedBox<D>> before);
+Leaving sample_leaving(const Requests<D>& requests, const Config& config);
 
 /// Whether most objects of a sample moved so far that few of them can stay in their leaves.
 template <int D>
