@@ -53,25 +53,7 @@ class Scheduler {
  private:
   static std::size_t index(Operator op) { return static_cast<std::size_t>(op); }
   template <class Trace>
-  bool visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
-  template <class Trace>
-  bool repair(Tree<D>& tree, NodeId id, const Config& config, Reporter<Trace>& reporter);
-  template <class Trace>
-  void schedule(const Tree<D>& tree, Operator op, NodeId id, const Config& config, Reporter<Trace>& reporter);
-  template <class Trace>
-  bool apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
-             Reporter<Trace>& reporter);
-  template <class Trace>
-  bool refuse_if_decided(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter);
-  template <class Trace>
-  void divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
-  template <class Trace>
-  void divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
-                   Reporter<Trace>& reporter);
-  template <class Trace>
-  void note(const OperatorActed& event, Reporter<Trace>& reporter);
-  template <class Trace>
-  void refuse(Operator op, NodeRef ref, Refusal reason, Reporter<Trace>& reporter);
+  class Call;
 
   std::array<std::vector<NodeRef>, kOperatorCount> lists_;
   std::array<std::uint64_t, kOperatorCount> acted_{};
