@@ -138,6 +138,22 @@ std::optional<Position> Search<D>::backward_change(const Expression& expression,
                                                                 : std::nullopt;
 }
 
+/// Calls `visit(position, moment)` for the moments after the events of a step.
+template <int D>
+template <class Visit>
+void Search<D>::visit_events(const Expression& expression, std::uint32_t step, Visit visit) {
+  const auto visit_event = [&](const Event& event, const Bsp<D, Watch>* tree) {
+    visit(Position{step, event.id}, RecordedMoment<D>(*recording_, step, &event, tree, nullptr, medians_));
+  };
+  if (!needs_replay(expression)) {
+    for (const Event& event : recording_->step(step).events) visit_event(event, nullptr);
+    return;
+  }
+  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
+  replayer_->seek(step - 1);
+  replayer_->advance([&](const Event& event) { visit_event(event, &replayer_->tree()); });
+}
+
 /// The moments of a step that have a value.
 template <int D>
 auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> std::vector<ValueAt> {
@@ -149,17 +165,8 @@ auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> s
     add(Position::end_of(step), value(expression, Position::end_of(step)));
     return values;
   }
-  const auto ask = [&](const Event& event, const Bsp<D, Watch>* tree) {
-    const RecordedMoment<D> moment(*recording_, step, &event, tree, nullptr, medians_);
-    add({step, event.id}, kerf::value(expression, moment));
-  };
-  if (!needs_replay(expression)) {
-    for (const Event& event : recording_->step(step).events) ask(event, nullptr);
-    return values;
-  }
-  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
-  replayer_->seek(step - 1);
-  replayer_->advance([&](const Event& event) { ask(event, &replayer_->tree()); });
+  visit_events(expression, step,
+               [&](const Position& at, const Moment& moment) { add(at, kerf::value(expression, moment)); });
   return values;
 }
 
@@ -219,19 +226,10 @@ template <int D>
 std::optional<Position> Search<D>::in_events(const Expression& expression, std::uint32_t step,
                                              const Range& range) {
   std::optional<Position> found;
-  const auto ask = [&](const Event& event, const Bsp<D, Watch>* tree) {
-    const Position position{step, event.id};
-    if (position <= range.after || position >= range.before || (found && !range.wants_last)) return;
-    if (holds(expression, RecordedMoment<D>(*recording_, step, &event, tree, nullptr, medians_)))
-      found = position;
-  };
-  if (!needs_replay(expression)) {
-    for (const Event& event : recording_->step(step).events) ask(event, nullptr);
-    return found;
-  }
-  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
-  replayer_->seek(step - 1);
-  replayer_->advance([&](const Event& event) { ask(event, &replayer_->tree()); });
+  visit_events(expression, step, [&](const Position& at, const Moment& moment) {
+    if (at <= range.after || at >= range.before || (found && !range.wants_last)) return;
+    if (holds(expression, moment)) found = at;
+  });
   return found;
 }
 

@@ -66,6 +66,8 @@ class Search {
   std::vector<ValueAt> values_in(const Expression& expression, std::uint32_t step);
   std::optional<double> last_value(const Expression& expression, const Position& up_to);
 
+  template <class Visit>
+  void visit_events(const Expression& expression, std::uint32_t step, Visit visit);
   void check_object(const GivenId& id);
   [[nodiscard]] std::uint32_t most_objects() const;
   [[nodiscard]] bool needs_replay(const Expression& expression) const;
