@@ -10,7 +10,7 @@ namespace kerf {
 
 /// The oracle: tests every object against every other. Exact by definition, O(n^2).
 template <int D>
-class BruteForce final : public BroadPhase<D>, public SelfDescribing<D> {
+class BruteForce : public BroadPhase<D>, public SelfDescribing<D> {
  public:
   explicit BruteForce(VolumeKind kind = VolumeKind::box) : objects_(kind) {}
 
@@ -30,7 +30,7 @@ class BruteForce final : public BroadPhase<D>, public SelfDescribing<D> {
   /// Has no structure: describes only how many tests that takes.
   void describe(StructureParts<D>& parts) const override;
 
- private:
+ protected:
   ObjectTable<D> objects_;
   std::vector<Pair> pairs_;
 };

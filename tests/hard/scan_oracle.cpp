@@ -14,7 +14,7 @@ int ScanOracle<D>::best_axis(const std::vector<ObjectId>& placed) const {
     double high = 0;
     double extents = 0;
     for (const ObjectId object : placed) {
-      const Box<D>& box = objects_.box(object);
+      const Box<D>& box = this->objects_.box(object);
       const auto at = static_cast<double>(box.min[axis]);
       low = object == placed.front() ? at : std::min(low, at);
       high = object == placed.front() ? at : std::max(high, at);
@@ -31,19 +31,21 @@ int ScanOracle<D>::best_axis(const std::vector<ObjectId>& placed) const {
 
 template <int D>
 void ScanOracle<D>::step() {
+  const ObjectTable<D>& objects = this->objects_;
+  std::vector<Pair>& pairs = this->pairs_;
   std::vector<ObjectId> placed;
-  for (std::uint32_t id = 0; id < objects_.bound(); ++id)
-    if (objects_.is_placed({id})) placed.push_back({id});
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    if (objects.is_placed({id})) placed.push_back({id});
   const int axis = best_axis(placed);
   std::sort(placed.begin(), placed.end(),
-            [&](ObjectId a, ObjectId b) { return objects_.box(a).min[axis] < objects_.box(b).min[axis]; });
-  pairs_.clear();
+            [&](ObjectId a, ObjectId b) { return objects.box(a).min[axis] < objects.box(b).min[axis]; });
+  pairs.clear();
   for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Scalar end = objects_.box(placed[i]).max[axis];
-    for (std::size_t j = i + 1; j < placed.size() && objects_.box(placed[j]).min[axis] <= end; ++j)
-      if (objects_.is_pair(placed[i], placed[j])) pairs_.push_back(make_pair(placed[i], placed[j]));
+    const Scalar end = objects.box(placed[i]).max[axis];
+    for (std::size_t j = i + 1; j < placed.size() && objects.box(placed[j]).min[axis] <= end; ++j)
+      if (objects.is_pair(placed[i], placed[j])) pairs.push_back(make_pair(placed[i], placed[j]));
   }
-  std::sort(pairs_.begin(), pairs_.end());
+  std::sort(pairs.begin(), pairs.end());
 }
 
 template class ScanOracle<2>;
