@@ -6,8 +6,7 @@ template <int D>
 void BruteForce<D>::step() {
   pairs_.clear();
   std::vector<ObjectId> placed;
-  for (std::uint32_t id = 0; id < objects_.bound(); ++id)
-    if (objects_.is_placed({id})) placed.push_back({id});
+  for_each_placed(objects_, [&](ObjectId object) { placed.push_back(object); });
   for (std::size_t i = 0; i < placed.size(); ++i)
     for (std::size_t j = i + 1; j < placed.size(); ++j)
       if (objects_.is_pair(placed[i], placed[j])) pairs_.push_back({placed[i], placed[j]});
@@ -16,7 +15,7 @@ void BruteForce<D>::step() {
 template <int D>
 void BruteForce<D>::describe(StructureParts<D>& parts) const {
   std::uint64_t placed = 0;
-  for (std::uint32_t id = 0; id < objects_.bound(); ++id) placed += objects_.is_placed({id}) ? 1U : 0U;
+  for_each_placed(objects_, [&](ObjectId) { ++placed; });
   tell_each_with_each(placed, parts);
 }
 

@@ -41,11 +41,10 @@ template <int D>
 void Tabled<D>::list_placed() {
   placed_.clear();
   listed_.assign(table_.bound(), 0);
-  for (std::uint32_t id = 0; id < table_.bound(); ++id) {
-    if (!table_.is_placed({id})) continue;
-    placed_.push_back({id});
-    listed_[id] = 1;
-  }
+  for_each_placed(table_, [&](ObjectId object) {
+    placed_.push_back(object);
+    listed_[object.index()] = 1;
+  });
   list_is_old_ = false;
 }
 

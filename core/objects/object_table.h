@@ -101,4 +101,11 @@ class ObjectTable {
   std::uint32_t size_ = 0;
 };
 
+/// Calls `work(object)` for each placed object, in the order of the ids.
+template <int D, class Work>
+void for_each_placed(const ObjectTable<D>& table, Work work) {
+  for (std::uint32_t id = 0; id < table.bound(); ++id)
+    if (table.is_placed({id})) work(ObjectId{id});
+}
+
 }  // namespace kerf

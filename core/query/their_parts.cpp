@@ -111,9 +111,9 @@ class PartsMaker {
 template <int D>
 std::vector<KnownObject<D>> objects_for(const ObjectTable<D>& objects, bool with_fixed) {
   std::vector<KnownObject<D>> known;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id}) && (with_fixed || !objects.is_fixed({id})))
-      known.push_back({{id}, objects.box({id})});
+  for_each_placed(objects, [&](ObjectId object) {
+    if (with_fixed || !objects.is_fixed(object)) known.push_back({object, objects.box(object)});
+  });
   return known;
 }
 

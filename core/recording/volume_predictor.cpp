@@ -51,17 +51,16 @@ auto VolumePredictor<D>::tracks_of(ObjectId object) -> Track* {
 template <int D>
 void VolumePredictor<D>::restart(const ObjectTable<D>& table) {
   tracks_.assign(table.bound() * channels_, {});
-  for (std::uint32_t id = 0; id < table.bound(); ++id) {
-    if (!table.is_placed({id})) continue;
-    Track* const tracks = tracks_of({id});
-    const Box<D> box = table.box({id});
+  for_each_placed(table, [&](ObjectId object) {
+    Track* const tracks = tracks_of(object);
+    const Box<D> box = table.box(object);
     for (int axis = 0; axis < D; ++axis) {
       tracks[2 * axis].past.fill(box.min[axis]);
       tracks[2 * axis + 1].past.fill(box.max[axis]);
     }
     for (std::size_t channel = 2 * D; channel < channels_; ++channel)
-      tracks[channel].past.fill(table.extra({id})[channel - 2 * D]);
-  }
+      tracks[channel].past.fill(table.extra(object)[channel - 2 * D]);
+  });
 }
 
 /// Inline, like the next function: four bytes stored and sixteen loaded would make the processor wait.

@@ -47,8 +47,7 @@ template <int D>
 std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects) {
   const DefaultFloats floats;
   std::vector<ObjectId> placed;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id})) placed.push_back({id});
+  for_each_placed(objects, [&](ObjectId object) { placed.push_back(object); });
   return objects.kind() == VolumeKind::box ? pairs_of_boxes(objects, placed)
                                            : pairs_of_volumes(objects, placed);
 }

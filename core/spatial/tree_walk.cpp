@@ -41,11 +41,10 @@ TreeWalk<D>::TreeWalk(const Tree<D>& tree, const ObjectTable<D>& objects)
   for (const NodeId id : nodes)
     for (const Entry& entry : tree[id].entries)
       if (entry.object.index() < waits.size()) waits[entry.object.index()] = 0;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    if (!objects.is_placed({id})) continue;
-    if (!is_stored(tree.table, objects, {id})) waits[id] = 1;
-    if (waits[id] != 0) waiting_.push_back({id});
-  }
+  for_each_placed(objects, [&](ObjectId object) {
+    if (!is_stored(tree.table, objects, object)) waits[object.index()] = 1;
+    if (waits[object.index()] != 0) waiting_.push_back(object);
+  });
   for (const NodeId id : nodes) {
     Box<D>& bounds = bounds_[id.index()];
     if (!tree[id].is_leaf()) {

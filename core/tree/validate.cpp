@@ -27,8 +27,7 @@ class Validator {
     for_each_node(tree_, tree_.root(), [this](NodeId id) {
       if (tree_[id].is_leaf()) check_leaf(id);
     });
-    for (std::uint32_t id = 0; id < tree_.table.bound(); ++id)
-      if (tree_.table.is_placed({id})) check_object({id});
+    for_each_placed(tree_.table, [this](ObjectId object) { check_object(object); });
     check_counts();
     return std::move(violations_);
   }

@@ -22,13 +22,12 @@ void play_step(RecordingReader<D>& recording, std::uint32_t step, ObjectTable<D>
 template <int D>
 Scalar usual_size(const ObjectTable<D>& table) {
   std::vector<Scalar> sizes;
-  for (std::uint32_t id = 0; id < table.bound(); ++id) {
-    if (!table.is_placed({id})) continue;
-    const Vector<D> extent = table.box({id}).extent();
+  for_each_placed(table, [&](ObjectId object) {
+    const Vector<D> extent = table.box(object).extent();
     Scalar sum = 0;
     for (int i = 0; i < D; ++i) sum += extent[i];
     sizes.push_back(sum / D);
-  }
+  });
   if (sizes.empty()) return 1;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::ranges::nth_element(sizes, middle);

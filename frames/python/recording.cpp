@@ -278,8 +278,7 @@ class RecordingOf final : public PythonRecording {
   [[nodiscard]] std::vector<ObjectId> ids_at(std::uint32_t step) {
     const ObjectTable<D>& objects = objects_at(step);
     std::vector<ObjectId> ids;
-    for (std::uint32_t id = 0; id < objects.bound(); ++id)
-      if (objects.is_placed({id})) ids.push_back({id});
+    for_each_placed(objects, [&](ObjectId object) { ids.push_back(object); });
     return ids;
   }
 

@@ -34,8 +34,7 @@ void ScanOracle<D>::step() {
   const ObjectTable<D>& objects = this->objects_;
   std::vector<Pair>& pairs = this->pairs_;
   std::vector<ObjectId> placed;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id})) placed.push_back({id});
+  for_each_placed(objects, [&](ObjectId object) { placed.push_back(object); });
   const int axis = best_axis(placed);
   std::sort(placed.begin(), placed.end(),
             [&](ObjectId a, ObjectId b) { return objects.box(a).min[axis] < objects.box(b).min[axis]; });

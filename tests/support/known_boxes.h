@@ -31,8 +31,7 @@ class KnownBoxes final : public BroadPhase<D> {
 
   [[nodiscard]] std::vector<KnownObject<D>> objects() const {
     std::vector<KnownObject<D>> known;
-    for (std::uint32_t id = 0; id < table_.bound(); ++id)
-      if (table_.is_placed({id})) known.push_back({{id}, table_.box({id})});
+    for_each_placed(table_, [&](ObjectId object) { known.push_back({object, table_.box(object)}); });
     return known;
   }
 

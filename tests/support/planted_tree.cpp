@@ -73,8 +73,7 @@ kerf::Tree<D> random_tree(Random& random, int objects, double half, std::uint32_
 template <int D>
 std::vector<Interval> shadows(const kerf::Tree<D>& tree, std::uint32_t direction) {
   std::vector<Interval> intervals;
-  for (std::uint32_t id = 0; id < tree.table.bound(); ++id)
-    if (tree.table.is_placed({id})) intervals.push_back(tree.project(direction, ObjectId{id}));
+  for_each_placed(tree.table, [&](ObjectId object) { intervals.push_back(tree.project(direction, object)); });
   return intervals;
 }
 

@@ -48,7 +48,7 @@ class Judge {
   void region(const std::string& name, const Region& region) {
     std::vector<ObjectId> must;
     if (check(region) == QueryStatus::ok)
-      for_each_placed([&](ObjectId object) {
+      for_each_placed(table_, [&](ObjectId object) {
         if (touches(region, table_.box(object))) must.push_back(object);
       });
     std::vector<ObjectId> is;
@@ -70,7 +70,7 @@ class Judge {
     const Cast<D> cast(way);
     std::vector<Hit> must;
     if (check(cast) == QueryStatus::ok)
-      for_each_placed([&](ObjectId object) {
+      for_each_placed(table_, [&](ObjectId object) {
         if (touches(cast, table_.box(object))) must.push_back({object, entry_of(cast, table_.box(object))});
       });
     std::ranges::sort(must, std::less<>());
@@ -94,7 +94,7 @@ class Judge {
   void nearest(const Nearest<D>& query) {
     std::vector<Neighbour> must;
     if (check(query) == QueryStatus::ok)
-      for_each_placed([&](ObjectId object) {
+      for_each_placed(table_, [&](ObjectId object) {
         const Box<D> box = table_.box(object);
         if (touches(Sphere<D>{query.point, query.max_distance}, box))
           must.push_back({object, squared_distance(query.point, box)});
@@ -114,11 +114,6 @@ class Judge {
   }
 
  private:
-  template <class Take>
-  void for_each_placed(Take take) {
-    for (std::uint32_t id = 0; id < table_.bound(); ++id)
-      if (table_.is_placed({id})) take(ObjectId{id});
-  }
   template <class Way>
   void first(const std::string& name, const Way& way, const std::vector<Hit>& must) {
     const Hit none{ObjectId::none(), std::numeric_limits<Scalar>::infinity()};

@@ -15,8 +15,7 @@ constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
 
 template <int D>
 QueryMaker<D>::QueryMaker(const ObjectTable<D>& table, std::uint64_t seed) : random_(seed) {
-  for (std::uint32_t id = 0; id < table.bound(); ++id)
-    if (table.is_placed({id})) boxes_.push_back(table.box({id}));
+  for_each_placed(table, [&](ObjectId object) { boxes_.push_back(table.box(object)); });
   if (boxes_.empty()) boxes_.push_back({});
 }
 

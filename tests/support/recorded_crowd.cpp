@@ -50,13 +50,12 @@ void record_another_run(const std::filesystem::path& path, std::uint32_t steps) 
   Recorder<D> recorder(tree, path, info_of<D>(tree.config()));
   play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
     if (step != kBeforeAllStandStill) return;
-    for (std::uint32_t id = 0; id < tree.objects().bound(); ++id) {
-      if (!tree.objects().is_placed({id})) continue;
-      Box<D> box = tree.objects().box({id});
+    for_each_placed(tree.objects(), [&](ObjectId object) {
+      Box<D> box = tree.objects().box(object);
       box.min[0] += 6;
       box.max[0] += 6;
-      (void)tree.move({id}, box);
-    }
+      (void)tree.move(object, box);
+    });
   });
   recorder.finish();
 }

@@ -49,9 +49,9 @@ void expect_right(const QueryExplanation<D>& answer, const BspState<D>& state) {
   for (const FoundObject& one : answer.found) found.push_back(one.object);
   std::ranges::sort(found);
   std::vector<ObjectId> truth;
-  for (std::uint32_t id = 0; id < state.latest.bound(); ++id)
-    if (state.latest.is_placed({id}) && is_found<D>(answer.query, state.latest.box({id})))
-      truth.push_back({id});
+  for_each_placed(state.latest, [&](ObjectId object) {
+    if (is_found<D>(answer.query, state.latest.box(object))) truth.push_back(object);
+  });
   EXPECT_EQ(found, truth);
   if (answer.waiting > 0) return;
   for (const QueryVisit<D>& v : answer.visits) {

@@ -24,13 +24,13 @@ template <int D>
 TheirStructure<D> structure_of(const ObjectTable<D>& objects, bool is_wrong) {
   TheirStructure<D> structure;
   structure.nodes.push_back({GivenId::of(500), std::nullopt, Box<D>::empty(), {}, std::nullopt, 0});
-  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    if (!objects.is_placed({id})) continue;
-    const Box<D> box = objects.box({id});
-    structure.nodes.push_back({GivenId::of(1000 + id), GivenId::of(500), box, {{id}}, std::nullopt, 0});
+  for_each_placed(objects, [&](ObjectId object) {
+    const Box<D> box = objects.box(object);
+    structure.nodes.push_back(
+        {GivenId::of(1000 + object.value), GivenId::of(500), box, {object}, std::nullopt, 0});
     Box<D>& root = structure.nodes.front().box;
     if (!is_wrong || structure.nodes.size() < 4) root = join(root, box);
-  }
+  });
   return structure;
 }
 

@@ -19,9 +19,8 @@ std::vector<ObjectFigures> find_object_figures(const BspState<D>& state) {
       if (object.index() < pairs.size()) ++pairs[object.index()];
 
   std::vector<ObjectFigures> figures;
-  for (std::uint32_t k = 0; k < table.bound(); ++k) {
-    const ObjectId object{k};
-    if (!table.is_placed(object)) continue;
+  for_each_placed(table, [&](ObjectId object) {
+    const std::size_t k = object.index();
     ObjectFigures of{object, table.is_fixed(object), leaves[k], pairs[k], {}, {}};
     const Box<D> box = table.box(object);
     for (int axis = 0; axis < D; ++axis) {
@@ -29,7 +28,7 @@ std::vector<ObjectFigures> find_object_figures(const BspState<D>& state) {
       of.size.push_back(double{box.max[axis]} - double{box.min[axis]});
     }
     figures.push_back(std::move(of));
-  }
+  });
   return figures;
 }
 
