@@ -14,13 +14,6 @@
 namespace kerf {
 namespace {
 
-/// A node and where its list lies: [begin, end) of the buffer.
-struct Range {
-  NodeId node;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
 /// Whether the packed boxes have an object's interval along a direction.
 template <int D>
 bool lies_along_axis(const Tree<D>& tree, std::uint32_t direction) {
@@ -130,7 +123,7 @@ class Streamer {
   std::size_t gather(const std::vector<StreamPart>& parts, std::size_t k) {
     std::size_t count = 0;
     for (const StreamPart& part : parts) {
-      const StreamPart::Stretch& from = part.ends[k];
+      const StreamRange& from = part.ends[k];
       make_room(buffer_, count + from.end - from.begin);
       std::copy(part.arrived.places.begin() + at(from.begin), part.arrived.places.begin() + at(from.end),
                 buffer_.places.begin() + at(count));
@@ -144,9 +137,9 @@ class Streamer {
   /// its node.
   template <class Visit>
   void run(NodeId from, std::size_t count, Visit visit) {
-    ShortStack<Range> todo({from, 0, count});
+    ShortStack<StreamRange> todo({from, 0, count});
     while (!todo.empty()) {
-      const Range range = todo.pop();
+      const StreamRange range = todo.pop();
       if (visit(range)) divide(tree_[range.node], range, todo);
     }
   }
@@ -156,7 +149,7 @@ class Streamer {
 
   /// Keeps the left objects at the list's place and writes the right ones behind its end. The right child is
   /// done first: nothing but dead lists lies behind the left one then. No branch depends on the sides.
-  void divide(const Node<D>& node, const Range& range, ShortStack<Range>& todo) {
+  void divide(const Node<D>& node, const StreamRange& range, ShortStack<StreamRange>& todo) {
     make_room(buffer_, range.end + (range.end - range.begin) + kDividePad);
     std::uint32_t* const places = buffer_.places.data();
     DepthMask* const straddle = buffer_.straddle.data();
@@ -185,7 +178,7 @@ class Streamer {
 
   /// The part of it that vectors can do: nothing unless the partitioner lies along an axis of the packed
   /// boxes, and a signed index of 32 bits reaches each of their floats.
-  Divided divide_vectors(const Node<D>& node, const Range& range) {
+  Divided divide_vectors(const Node<D>& node, const StreamRange& range) {
     constexpr std::size_t kMostBoxes = (std::size_t{1} << 31U) / (2 * PackedBox<D>::kHalf);
     if (range.begin == range.end || !lies_along_axis(tree_, node.direction) ||
         objects_.boxes().size() > kMostBoxes)
@@ -213,7 +206,8 @@ struct Placing {
 
 /// Writes the entries of objects that came into a leaf, behind those that stayed there.
 template <int D, class Objects>
-void fill(const Placing<D, Objects>& to, const Range& range, std::size_t stayed, const StreamBuffer& buffer) {
+void fill(const Placing<D, Objects>& to, const StreamRange& range, std::size_t stayed,
+          const StreamBuffer& buffer) {
   const std::size_t came = range.end - range.begin;
   const std::uint32_t* const places = buffer.places.data() + range.begin;
   const DepthMask* const straddle = buffer.straddle.data() + range.begin;
@@ -232,7 +226,7 @@ void fill(const Placing<D, Objects>& to, const Range& range, std::size_t stayed,
 template <int D, class Objects>
 void finish(const Placing<D, Objects>& to, NodeId from, std::size_t count, Streamer<D, Objects>& streamer,
             const StreamBuffer& buffer) {
-  streamer.run(from, count, [&](const Range& range) {
+  streamer.run(from, count, [&](const StreamRange& range) {
     const std::uint32_t before = to.stayed[range.node.index()];
     Node<D>& node = to.tree[range.node];
     node.population = before + static_cast<std::uint32_t>(range.end - range.begin);
@@ -269,7 +263,7 @@ void stream_part(const Tree<D>& tree, const Objects& objects, std::size_t count,
   part.arrived.places.clear();
   part.arrived.straddle.clear();
   Streamer<D, Objects> streamer(tree, objects, buffer);
-  streamer.run(tree.root(), count, [&](const Range& range) {
+  streamer.run(tree.root(), count, [&](const StreamRange& range) {
     const Node<D>& node = tree[range.node];
     if (!node.is_leaf() && node.depth < depth) {
       part.passed.emplace_back(range.node, range.end - range.begin);
@@ -300,7 +294,7 @@ void stream_in_parts(const Placing<D, Objects>& to, StreamMemory& memory, TaskPo
     to.tree[node].population = to.stayed[node.index()];
   for (const StreamPart& part : memory.parts)
     for (const auto& [node, count] : part.passed) to.tree[node].population += count;
-  const std::vector<StreamPart::Stretch>& ends = memory.parts.front().ends;
+  const std::vector<StreamRange>& ends = memory.parts.front().ends;
   pool.for_each(ends.size(), [&](std::size_t k, std::size_t thread) {
     StreamBuffer& buffer = memory.by_thread[thread];
     Streamer<D, Objects> streamer(to.tree, to.objects, buffer);

@@ -17,15 +17,17 @@ struct StreamBuffer {
   std::vector<DepthMask> straddle;
 };
 
+/// A node and where its list lies: [begin, end) of a buffer.
+struct StreamRange {
+  NodeId node;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 /// One piece of the objects where it leaves the upper part of the tree.
 struct StreamPart {
-  struct Stretch {
-    NodeId node;
-    std::size_t begin = 0;
-    std::size_t end = 0;
-  };
   StreamBuffer arrived;
-  std::vector<Stretch> ends;                             ///< where they lie in `arrived`
+  std::vector<StreamRange> ends;                         ///< where they lie in `arrived`
   std::vector<std::pair<NodeId, std::uint32_t>> passed;  ///< number of objects that passed each node above
 };
 
