@@ -10,16 +10,10 @@
 #include "core/base/float_mode.h"
 #include "core/query/object_bound.h"
 #include "core/query/recorded_moment.h"
+#include "core/replay/oracle.h"
 
 namespace kerf {
 namespace {
-
-std::vector<Pair> sorted(std::span<const Pair> pairs) {
-  std::vector<Pair> result;
-  for (const Pair& pair : pairs) result.push_back(make_pair(pair.a, pair.b));
-  std::ranges::sort(result);
-  return result;
-}
 
 bool is_change(std::optional<double> before, double now, Change change) {
   if (change == Change::becomes_true) return now != 0 && (!before || *before == 0);
@@ -200,7 +194,7 @@ double Search<D>::value(const Expression& expression, const Position& at) {
   }
   if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
   replayer_->seek(at.step - 1);
-  const std::vector<Pair> before = sorted(replayer_->tree().pairs());
+  const std::vector<Pair> before = sorted_pairs(replayer_->tree().pairs());
   replayer_->advance([&](const Event& event) {
     if (event.id == at.event) ask(&event, &replayer_->tree(), nullptr);
   });
@@ -242,7 +236,7 @@ std::optional<Position> Search<D>::at_end(const Expression& expression, std::uin
   if (needs_replay(expression)) {
     if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
     replayer_->seek(step - 1);
-    if (expression.asks_pairs()) before = sorted(replayer_->tree().pairs());
+    if (expression.asks_pairs()) before = sorted_pairs(replayer_->tree().pairs());
     replayer_->seek(step);
   }
   const Bsp<D, Watch>* const tree = replayer_ ? &replayer_->tree() : nullptr;

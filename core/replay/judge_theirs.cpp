@@ -8,17 +8,10 @@
 
 #include "core/base/float_mode.h"
 #include "core/base/poll.h"
+#include "core/replay/oracle.h"
 
 namespace kerf {
 namespace {
-
-std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
-  std::vector<Pair> pairs;
-  pairs.reserve(reported.size());
-  for (const Pair& pair : reported) pairs.push_back(make_pair(pair.a, pair.b));
-  std::ranges::sort(pairs);
-  return pairs;
-}
 
 /// Calls `use(pair, whether it is among the others)` with each pair of a sorted range.
 template <class Use>
@@ -29,15 +22,6 @@ void for_each_pair(std::span<const Pair> pairs, std::span<const Pair> others, co
     while (other != others.end() && *other < pair) ++other;
     use(pair, other != others.end() && *other == pair);
   }
-}
-
-/// Takes out what is there again and returns it.
-std::vector<Pair> take_repeated(std::vector<Pair>& pairs) {
-  std::vector<Pair> repeated;
-  for (std::size_t k = 1; k < pairs.size(); ++k)
-    if (pairs[k] == pairs[k - 1]) repeated.push_back(pairs[k]);
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return repeated;
 }
 
 /// Whether a float, written with as many digits as the number has, is the number: then an engine of floats

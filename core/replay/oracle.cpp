@@ -52,15 +52,26 @@ std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects) {
                                            : pairs_of_volumes(objects, placed);
 }
 
+std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
+  std::vector<Pair> pairs;
+  pairs.reserve(reported.size());
+  for (const Pair& pair : reported) pairs.push_back(make_pair(pair.a, pair.b));
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+std::vector<Pair> take_repeated(std::vector<Pair>& pairs) {
+  std::vector<Pair> repeated;
+  for (std::size_t k = 1; k < pairs.size(); ++k)
+    if (pairs[k] == pairs[k - 1]) repeated.push_back(pairs[k]);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return repeated;
+}
+
 PairJudgement judge_pairs(std::span<const Pair> reported, std::span<const Pair> truth) {
-  std::vector<Pair> sorted;
-  sorted.reserve(reported.size());
-  for (const Pair& pair : reported) sorted.push_back(make_pair(pair.a, pair.b));
-  std::ranges::sort(sorted);
+  std::vector<Pair> sorted = sorted_pairs(reported);
   PairJudgement judgement;
-  for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (sorted[k] == sorted[k - 1]) judgement.twice.push_back(sorted[k]);
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  judgement.twice = take_repeated(sorted);
   std::ranges::set_difference(truth, sorted, std::back_inserter(judgement.missed));
   std::ranges::set_difference(sorted, truth, std::back_inserter(judgement.extra));
   return judgement;

@@ -12,6 +12,11 @@ namespace kerf {
 template <int D>
 std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects);
 
+/// The pairs in ascending order, and so the objects of each.
+std::vector<Pair> sorted_pairs(std::span<const Pair> reported);
+/// Takes out of sorted pairs what is there again, and returns it.
+std::vector<Pair> take_repeated(std::vector<Pair>& pairs);
+
 /// Reported pairs compared with the true ones; each list is sorted.
 struct PairJudgement {
   std::vector<Pair> missed;     ///< true, but not reported

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/replay/oracle.h"
 #include "frames/bench/truth.h"
 #include "frames/report/figures.h"
 #include "frames/report/meetings.h"
@@ -28,14 +29,6 @@ template <int D>
 void advance(BroadPhase<D>& broad_phase, const typename Course<D>::Step& step) {
   static_cast<void>(broad_phase.move_many(step.moved, step.boxes));
   broad_phase.step();
-}
-
-std::vector<Pair> sorted_pairs(std::span<const Pair> pairs) {
-  std::vector<Pair> sorted;
-  sorted.reserve(pairs.size());
-  for (const Pair& pair : pairs) sorted.push_back(make_pair(pair.a, pair.b));
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
 }
 
 /// Wrong and late reports.
