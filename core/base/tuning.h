@@ -50,6 +50,12 @@ inline constexpr std::uint64_t kFewTests = 1024;
 /// Steps in a row that end keeping.
 inline constexpr std::uint32_t kRowSteps = 4;
 
+// Worlds that most objects have left.
+
+/// A table is taken over object by object, and the changed objects are sampled instead of all ids, where
+/// there are more ids for each.
+inline constexpr std::size_t kIdsPerCopy = 8;
+
 // Keep pairs, or sweep leaves. The bench's nine scenes and `pauses`, 4,250 to 64,000 objects. To look one
 // object up again costs some thirty times what sweeping costs for an object.
 

@@ -176,7 +176,7 @@ Evidence Bsp<D, Trace>::evidence(std::uint64_t row_tests, bool is_shift) const {
   if (!evidence.bytes || !evidence.skins) return evidence;
   if (modes_.mode() == Mode::swept && !is_shift && !evidence.rows) {
     const auto count = row_tests <= tuning::kRowTests ? tuning::kMotionSampleInRows : tuning::kMotionSample;
-    evidence.motions = sample_motions(requests_.latest(), tree_.table, config_, step_, count);
+    evidence.motions = sample_motions(requests_, tree_.table, config_, step_, count);
   } else if (modes_.mode() == Mode::kept && !modes_.regrets()) {
     evidence.leaving = sample_leaving(requests_, config_);
     if (is_shift) evidence.leaving.motions = {};

@@ -292,8 +292,7 @@ void KeptPairs<D>::renew(const Tree<D>& tree, const Objects& objects, NodeId id,
 /// What overlapped still does. Near pairs that touch now, by rounding, become resting pairs.
 template <int D>
 void KeptPairs<D>::shift_leaf(const Objects& objects, KeptLeaf<D>& leaf) const {
-  leaf.bytes.origin = moved(leaf.bytes.origin, PackedBox<D>({*shift_, *shift_}));
-  leaf.bytes_stale = true;
+  move_bytes(*shift_, leaf);
   std::erase_if(leaf.near, [&](const Pair& pair) {
     const bool touch = overlaps(objects.fat.packed(pair.a), objects.fat.packed(pair.b));
     if (touch) leaf.resting.push_back(pair);
@@ -361,6 +360,7 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id,
   if (slack_ > 0)
     for (PackedBox<D>& box : scratch.view.boxes) box = widened(box, slack_ / 2);
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
+  if (scratch.byte_sweep.is_clumped) rank_bytes(scratch.view, leaf);
   if (slack_ > 0) {
     const auto id_of = [&](ObjectId place) { return ObjectId{leaf.objects[place.index()]}; };
     const auto has_fat = [&](ObjectId place) { return scratch.has_fat[place.index()] != 0; };

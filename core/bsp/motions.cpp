@@ -23,6 +23,8 @@ class MotionSample {
     }
     ++count_;
   }
+  /// So many objects for each of those that were added.
+  void add_standing(float each) { count_ *= 1 + each; }
   [[nodiscard]] Motions motions() const {
     return count_ == 0 ? Motions{} : Motions{sum_.speed / count_, sum_.fast / count_};
   }
@@ -36,15 +38,23 @@ class MotionSample {
 }  // namespace
 
 template <int D>
-Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
+Motions sample_motions(const Requests<D>& requests, const ObjectTable<D>& tree, const Config& config,
                        std::uint32_t step, std::uint32_t count) {
+  const ObjectTable<D>& latest = requests.latest();
+  const std::span<const ObjectId> changed = requests.changed();
+  const bool most_left = latest.bound() > tuning::kIdsPerCopy * latest.size();
+  const std::size_t places = most_left ? changed.size() : tree.bound();
   MotionSample sample(config);
   const std::uint32_t first = count * step;
-  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, tree.bound()); ++k) {
-    const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree.bound()))};
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, places); ++k) {
+    const std::size_t place = sample_place(first + k, places);
+    const ObjectId object = most_left ? changed[place] : ObjectId{static_cast<std::uint32_t>(place)};
     if (tree.is_placed(object) && latest.is_placed(object))
       sample.add(latest.packed(object), tree.packed(object));
   }
+  if (most_left && !changed.empty() && latest.size() > changed.size())
+    sample.add_standing(static_cast<float>(latest.size() - changed.size()) /
+                        static_cast<float>(changed.size()));
   return sample.motions();
 }
 
@@ -80,10 +90,10 @@ bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
   return 2 * jumped > count;
 }
 
-#define KERF_INSTANTIATE(D)                                                                       \
-  template Motions sample_motions<D>(const ObjectTable<D>&, const ObjectTable<D>&, const Config&, \
-                                     std::uint32_t, std::uint32_t);                               \
-  template Leaving sample_leaving<D>(const Requests<D>&, const Config&);                          \
+#define KERF_INSTANTIATE(D)                                                                    \
+  template Motions sample_motions<D>(const Requests<D>&, const ObjectTable<D>&, const Config&, \
+                                     std::uint32_t, std::uint32_t);                            \
+  template Leaving sample_leaving<D>(const Requests<D>&, const Config&);                       \
   template bool most_jump<D>(const ObjectTable<D>&, const ObjectTable<D>&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -20,9 +20,10 @@ struct Leaving {
 };
 
 /// The motions of at most `count` objects from the tree's boxes to the latest ones. Each step samples other
-/// objects, so that a sample that happens to miss the fast ones is not believed twice.
+/// objects, so that a sample that happens to miss the fast ones is not believed twice. Where most ids have no
+/// object, those that changed are sampled: the others stood.
 template <int D>
-Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
+Motions sample_motions(const Requests<D>& requests, const ObjectTable<D>& tree, const Config& config,
                        std::uint32_t step, std::uint32_t count);
 
 /// Of the changed objects of a step with kept pairs.

@@ -10,6 +10,28 @@
 
 namespace kerf {
 
+namespace {
+
+/// Brings the tree's table up to date. Where leaves were swept before it differs in the changed objects only,
+/// and where these only moved, in boxes only.
+template <int D>
+void take_latest(const StepContext<D>& step, Mode before) {
+  ObjectTable<D>& table = step.tree.table;
+  const Requests<D>& requests = step.requests;
+  const ObjectTable<D>& latest = requests.latest();
+  if (before != Mode::swept) {
+    table.copy_all(latest, step.pool());
+  } else if (requests.changed().size() * tuning::kIdsPerCopy < latest.bound()) {
+    for (const ObjectId object : requests.changed()) table.copy(latest, object);
+  } else if (requests.are_moves()) {
+    table.copy_boxes(latest, step.pool());
+  } else {
+    table.copy_all(latest, step.pool());
+  }
+}
+
+}  // namespace
+
 template <int D>
 void SweptStep<D>::begin_step(const Tree<D>& tree, std::span<const ObjectId> changed, bool rows) {
   leaf_boxes_.begin(tree, false);
@@ -22,25 +44,19 @@ void SweptStep<D>::end_step(const ObjectTable<D>& table, std::span<const Pair> p
   wants_rows_ ? rows_.take(table, pairs) : rows_.forget();
 }
 
-/// Those that still lie in their leaf's cell are looked for first, unless most jump or many come or go. Where
-/// objects only moved, the tables differ in nothing but boxes.
+/// Those that still lie in their leaf's cell are looked for first, unless most jump or many come or go.
 template <int D>
 template <class Trace>
 std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, Mode mode,
                                       Reporter<Trace>& reporter) {
   Tree<D>& tree = step.tree;
-  Requests<D>& requests = step.requests;
   const bool many_stay = may_stay(step);
-  if (requests.are_moves() && before == Mode::swept) {
-    tree.table.copy_boxes(requests.latest(), step.pool());
-  } else {
-    tree.table.copy_all(requests.latest(), step.pool());
-  }
+  take_latest(step, before);
   const bool are_far = exceeds(std::as_const(tree.table).packed(), tuning::kOwnPages);
   leaf_boxes_.begin(tree, mode == Mode::swept && are_far && step.config.leaf_boxes);
   place_boxes(step, many_stay, leaf_boxes_);
   reporter.report([&] { return AllPlaced{tree.objects()}; });
-  return requests.changed().size();
+  return step.requests.changed().size();
 }
 
 template <int D>

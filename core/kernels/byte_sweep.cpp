@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/list_room.h"
+#include "core/kernels/rank_keys.h"
 #include "core/kernels/sweep_tuning.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -40,11 +41,10 @@ HWY_INLINE bool are_bytes_coarse(std::size_t count, const std::array<float, D>& 
   return found > tuning::kTooCoarse;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets how the entries are ordered
-/// and compared. In a small leaf rows are counted, to know how dense the boxes lie, only if their mean
-/// lengths say that they may.
+/// Fills `keys`. Returns the mean length of the boxes along each axis, in bytes.
 template <int D>
-HWY_INLINE void make_keys(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
+HWY_INLINE std::array<float, D> make_keys(const LeafView<D>& leaf, const ByteScale<D>& scale,
+                                          ByteSweep<D>& sweep) {
   const ByteMap<D> map(scale);
   ByteKey<D>* const HWY_RESTRICT keys = sweep.keys.data();
   Packed<D> sums[kChains];
@@ -60,40 +60,102 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, const ByteScale<D>& scale, By
   for (std::size_t chain = 1; chain < kChains; ++chain) add(sums[chain], sums[0]);
   PackedBox<D> sum;
   store(sums[0], sum);
-  std::array<float, D> length;  // in the mean
+  std::array<float, D> length;
   for (std::size_t axis = 0; axis < D; ++axis)
     length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
+  return length;
+}
+
+/// The same by ranks.
+template <int D>
+std::array<float, D> make_ranked_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
+  constexpr std::size_t kHalf = PackedBox<D>::kHalf;
+  sweep.is_clumped = true;
+  const RankScale<D> ranks = make_rank_scale<D>(leaf.boxes);
+  std::array<std::size_t, D> sum{};
+  for (std::size_t i = 0; i < leaf.size(); ++i) {
+    const ByteKey<D> key = rank_key(leaf.boxes[i], ranks);
+    sweep.keys[i] = key;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      sum[axis] += (key >> (8 * (kHalf + axis)) & 255U) - (key >> (8 * axis) & 255U);
+  }
+  std::array<float, D> length;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    length[axis] = static_cast<float>(sum[axis]) / static_cast<float>(leaf.size());
+  return length;
+}
+
+/// Chooses the axis along which the boxes are shortest, and sets how the entries are ordered and compared.
+template <std::size_t D>
+HWY_INLINE void choose_axis(std::size_t count, const std::array<float, D>& length,
+                            ByteSweep<static_cast<int>(D)>& sweep) {
   const auto axis = static_cast<std::size_t>(std::ranges::min_element(length) - length.begin());
   sweep.axis = static_cast<int>(axis);
-  sweep.is_fine = are_bytes_coarse(leaf.size(), length, axis);
-  sweep.is_short = static_cast<float>(leaf.size()) * (length[axis] + 1) / 255 < tuning::kShortRow;
-  sweep.is_dense =
-      sweep.may_be_dense && (leaf.size() >= tuning::kLeastCrowd || would_be_dense(leaf.size(), length, axis));
+  sweep.is_fine = are_bytes_coarse(count, length, axis);
+  sweep.is_short = static_cast<float>(count) * (length[axis] + 1) / 255 < tuning::kShortRow;
+}
+
+/// Whether it may be that the boxes of a leaf lie dense: in a small one only their mean lengths say so.
+template <std::size_t D>
+HWY_INLINE bool may_be_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
+  return count >= tuning::kLeastCrowd || (count > 1 && would_be_dense(count, length, axis));
+}
+
+/// Whether it may be that they lie in clumps.
+template <std::size_t D>
+HWY_INLINE bool may_be_clumped(std::size_t count, const std::array<float, D>& length) {
+  return count >= tuning::kLeastCrowd ||
+         (count >= tuning::kLeastSampled && std::ranges::max(length) < tuning::kTinyBox);
 }
 
 /// Counts in some rows how dense the boxes lie. The boxes of a slanted line do not all meet on any axis, so
 /// only the rows show that they need finer steps: then the entries are ordered anew. Straight lines, known
-/// by mean lengths, are ordered once, which saves 5 to 10 % of their time.
+/// by mean lengths, are ordered once, which saves 5 to 10 % of their time. Where finer steps do not help, the
+/// boxes lie in clumps. `rows`: in the order so far.
 template <int D>
-HWY_INLINE bool is_crowded(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
+HWY_INLINE bool is_crowded(const LeafView<D>& leaf, const ByteScale<D>& scale, RowSample rows,
+                           ByteSweep<D>& sweep) {
   const auto n = static_cast<std::uint32_t>(leaf.size());
-  RowSample rows = sample_rows(sweep, n);
   if (!sweep.is_fine && rows.at_end > tuning::kTooCoarse) {
     sweep.is_fine = true;
+    order_entries(leaf, scale, sweep);
+    rows = sample_rows(sweep, n);
+  }
+  if (rows.all_at_end > tuning::kClumped) {
+    choose_axis(leaf.size(), make_ranked_keys(leaf, sweep), sweep);
+    sweep.is_fine = false;
     order_entries(leaf, scale, sweep);
     rows = sample_rows(sweep, n);
   }
   return rows.sure > (sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow);
 }
 
+/// Divides a leaf of clumps.
+template <int D>
+bool divide_clumps(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
+  const auto axis = static_cast<std::size_t>(sweep.axis);
+  return sweep.clumps.divide(leaf,
+                             {{sweep.order.data(), leaf.size()}, sweep.plane(axis), sweep.plane(D + axis)});
+}
+
 template <int D>
 HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   sweep.make_room(leaf.size());
+  sweep.is_dense = false;
   const ByteScale<D> scale = make_byte_scale(leaf);
-  make_keys(leaf, scale, sweep);
+  const std::array<float, D> length = make_keys(leaf, scale, sweep);
+  choose_axis(leaf.size(), length, sweep);
   order_entries(leaf, scale, sweep);
-  const auto n = static_cast<std::uint32_t>(leaf.size());
-  sweep.is_dense = sweep.is_dense && n > 1 && is_crowded(leaf, scale, sweep);
+  const bool is_counted = may_be_dense(leaf.size(), length, static_cast<std::size_t>(sweep.axis));
+  if (is_counted || may_be_clumped(leaf.size(), length)) {
+    const RowSample rows = sample_rows(sweep, static_cast<std::uint32_t>(leaf.size()));
+    if (rows.all_at_end > tuning::kMayBeClumped && divide_clumps(leaf, sweep)) {
+      sweep.is_clumped = true;
+      return;
+    }
+    if (is_counted || rows.all_at_end > tuning::kClumped)
+      sweep.is_dense = is_crowded(leaf, scale, rows, sweep) && sweep.may_be_dense;
+  }
   if (sweep.is_short && hn::Lanes(Bytes()) <= 32) {
     sweep.is_dense ? compare_dense<32>(leaf, sweep, pairs) : compare_all<32>(leaf, sweep, pairs);
   } else {
@@ -128,10 +190,14 @@ void ByteSweep<D>::make_room(std::size_t n) {
 
 template <int D>
 void ByteSweep<D>::find(const LeafView<D>& leaf, PairBuffer& pairs) {
-  if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(find_2)(leaf, *this, pairs);
-  } else {
-    HWY_DYNAMIC_DISPATCH(find_3)(leaf, *this, pairs);
+  clumps.clear();
+  is_clumped = false;
+  for (const LeafView<D>* part = &leaf; part != nullptr; part = clumps.next()) {
+    if constexpr (D == 2) {
+      HWY_DYNAMIC_DISPATCH(find_2)(*part, *this, pairs);
+    } else {
+      HWY_DYNAMIC_DISPATCH(find_3)(*part, *this, pairs);
+    }
   }
 }
 

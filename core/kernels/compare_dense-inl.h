@@ -81,8 +81,9 @@ struct Proved : Ordered<D> {
 
 /// Of the 64 entries behind one of a leaf, in the mean of a few rows.
 struct RowSample {
-  float sure = 0;    ///< proved to overlap it
-  float at_end = 0;  ///< begin at the step at which it ends, and may overlap it
+  float sure = 0;        ///< proved to overlap it
+  float at_end = 0;      ///< begin at the step at which it ends, and may overlap it
+  float all_at_end = 0;  ///< the same of all entries behind one, if the others are like those 64
 };
 
 template <int D>
@@ -91,6 +92,7 @@ HWY_INLINE RowSample sample_rows(ByteSweep<D>& sweep, std::uint32_t n) {
   const std::uint32_t rows = std::min(n - 1, tuning::kDensityRows);
   int sure = 0;
   int at_end = 0;
+  float all_at_end = 0;
   for (std::uint32_t k = 0; k < rows; ++k) {
     const auto i = static_cast<std::uint32_t>(std::uint64_t{k} * (n - 1) / rows);
     const std::uint32_t sure_end = proved.sure_end(i);
@@ -104,10 +106,13 @@ HWY_INLINE RowSample sample_rows(ByteSweep<D>& sweep, std::uint32_t n) {
     }
     const std::uint64_t before_end = first_bits(sure_end > i ? sure_end - i - 1 : 0);
     sure += std::popcount(~unsure & before_end);
-    at_end += std::popcount(maybe & ~before_end & first_bits(proved.end(i) - i - 1));
+    const std::uint32_t behind = proved.end(i) - i - 1;
+    const int found_at_end = std::popcount(maybe & ~before_end & first_bits(behind));
+    at_end += found_at_end;
+    all_at_end += static_cast<float>(found_at_end) * std::max(1.0F, static_cast<float>(behind) / 64);
   }
-  return {static_cast<float>(sure) / static_cast<float>(rows),
-          static_cast<float>(at_end) / static_cast<float>(rows)};
+  const auto count = static_cast<float>(rows);
+  return {static_cast<float>(sure) / count, static_cast<float>(at_end) / count, all_at_end / count};
 }
 
 /// What bytes show of a row of entries that begin before another one ends.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "core/base/list_room.h"
 #include "core/base/tuning.h"
@@ -29,6 +30,10 @@ HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, ByteKey<D> key) 
 /// Makes the bytes of the entries from a place on.
 template <int D>
 HWY_INLINE void store_keys(std::span<const PackedBox<D>> boxes, std::size_t from, KeptLeaf<D>& leaf) {
+  if (leaf.ranks) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) store_key(leaf, from + i, rank_key(boxes[i], *leaf.ranks));
+    return;
+  }
   const ByteMap<D> map(leaf.bytes);
   for (std::size_t i = 0; i < boxes.size(); ++i) store_key(leaf, from + i, byte_key<D>(map(boxes[i])));
 }
@@ -225,6 +230,7 @@ void move_entry(KeptLeaf<D>& leaf, std::size_t from, std::size_t to) {
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.bytes_stale = false;
+  leaf.ranks.reset();
   leaf.objects.clear();
   leaf.apart.clear();
   leaf.resting.pairs.clear();
@@ -236,6 +242,19 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   } else {
     leaf.bytes = HWY_DYNAMIC_DISPATCH(scale_3)(view);
   }
+}
+
+template <int D>
+void rank_bytes(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+  leaf.ranks = std::make_unique<RankScale<D>>(make_rank_scale<D>(view.boxes));
+  leaf.bytes_stale = true;
+}
+
+template <int D>
+void move_bytes(const Vector<D>& by, KeptLeaf<D>& leaf) {
+  leaf.bytes.origin = moved(leaf.bytes.origin, PackedBox<D>({by, by}));
+  if (leaf.ranks) move_scale(*leaf.ranks, by);
+  leaf.bytes_stale = true;
 }
 
 template <int D>
@@ -319,6 +338,8 @@ void probe_last(KeptLeaf<D>& leaf, const LeafView<D>& last, std::span<const Pack
 
 #define KERF_INSTANTIATE(D)                                                                              \
   template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
+  template void rank_bytes<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
+  template void move_bytes<D>(const Vector<D>&, KeptLeaf<D>&);                                           \
   template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                     \
   template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                           \
   template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                             \

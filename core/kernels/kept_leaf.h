@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
+#include "core/kernels/rank_keys.h"
 #include "core/kernels/resting_list.h"
 
 namespace kerf {
@@ -32,7 +34,8 @@ enum class Names : std::uint8_t {
 template <int D>
 struct KeptLeaf {
   ByteScale<D> bytes;
-  bool bytes_stale = false;  ///< the boxes moved with the scale since the entries' bytes were made
+  std::unique_ptr<RankScale<D>> ranks;  ///< in its place where the boxes lie in clumps
+  bool bytes_stale = false;             ///< the boxes moved with the scale since the entries' bytes were made
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
@@ -51,6 +54,12 @@ struct KeptLeaf {
 /// Forgets all entries and pairs. From now on the leaf's bytes separate boxes like those of the view well.
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
+/// From now on the leaf's bytes are ranks among boxes like those of the view.
+template <int D>
+void rank_bytes(const LeafView<D>& view, KeptLeaf<D>& leaf);
+/// The leaf's bytes are those of boxes that moved by a vector.
+template <int D>
+void move_bytes(const Vector<D>& by, KeptLeaf<D>& leaf);
 /// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);

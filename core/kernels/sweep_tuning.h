@@ -37,5 +37,18 @@ inline constexpr float kShortRow = 24;
 /// must confirm them. The same boxes: 15 to 20 %; where they fill a square or a cube nothing is gained.
 inline constexpr std::size_t kFineSteps = 1024;
 inline constexpr float kTooCoarse = 2;
+/// Entries that meet an entry by bytes though they begin at the byte at which it ends: above that the boxes
+/// may lie in clumps far from one another, and gaps are looked for.
+inline constexpr float kMayBeClumped = 8;
+/// The same where they begin at the same of the finer steps, though no gap was found: bytes are ranks.
+inline constexpr float kClumped = 24;
+/// Entries of a clump that is swept by itself; smaller ones share a part.
+inline constexpr std::size_t kLeastClump = 24;
+/// Boxes that are so many bytes long may reach across gaps, and so many of them at most are in each part.
+inline constexpr int kLongBox = 32;
+inline constexpr std::size_t kMostLong = 8;
+/// Boxes shorter than so many bytes along each axis, in the mean, may lie in clumps: rows of leaves below
+/// kLeastCrowd are counted then, too.
+inline constexpr float kTinyBox = 3;
 
 }  // namespace kerf::tuning

@@ -53,7 +53,7 @@ struct Buckets final : Pile<D> {
   Buckets(std::uint32_t count, std::uint64_t seed) : Pile<D>(count, seed, {.in_air = 0.25, .buckets = 4}) {}
 };
 
-constexpr std::array<BenchScene, 14> kScenes{
+constexpr std::array<BenchScene, 15> kScenes{
     {{"falling", "a third falls onto heaps", make<Falling<2>>, make<Falling<3>>},
      {"settled", "a pile that still stirs", make<Settled<2>>, make<Settled<3>>},
      {"brownian", "random walk by most of a size a step", make<Brownian<2>>, make<Brownian<3>>},
@@ -65,6 +65,7 @@ constexpr std::array<BenchScene, 14> kScenes{
      {"teleport", "everything jumps in each step", make<Teleport<2>>, make<Teleport<3>>},
      {"flat", "a crowd on a plane of the world, in 2D along a line", make<FlatWorld<2>>, make<FlatWorld<3>>},
      {"dense", "fifty pairs an object", make<Dense<2>>, make<Dense<3>>},
+     {"islands", "200 on each, far apart along the diagonal", make<Islands<2>>, make<Islands<3>>},
      {"rods", "sixty times as long as thick, along the axes", make<Rods<2>>, make<Rods<3>>},
      {"pauses", "all walk for 20 steps and rest for 40, in turns", make<Pauses<2>>, make<Pauses<3>>},
      {"shifts", "mostly static; the origin is moved in every tenth step", make<Shifts<2>>, make<Shifts<3>>}}};

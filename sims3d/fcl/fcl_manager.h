@@ -9,7 +9,6 @@
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "core/spatial/lazy_index.h"
@@ -110,7 +109,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
       if (collide_one(object, data, callback, true)) return;
   }
 
-  /// First looks at overlapping boxes, then along the x axis.
+  /// First looks at overlapping boxes, then for what is near each object among those before it.
   void distance(void* data, fcl::DistanceCallBack<S> callback) const override {
     find_pairs();
     S least = std::numeric_limits<S>::max();
@@ -119,15 +118,14 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
       Object* const b = members_[pair.b.index()].object;
       if ((a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) || !(least > 0)) return;
     }
-    std::vector<Object*> sorted = objects_of(*this);
-    std::ranges::sort(sorted, {}, [](const Object* object) { return object->getAABB().min_[0]; });
-    for (auto a = sorted.begin(); a != sorted.end(); ++a)
-      for (auto b = a + 1; b != sorted.end(); ++b) {
-        const fcl::AABB<S>& first = (*a)->getAABB();
-        const fcl::AABB<S>& second = (*b)->getAABB();
-        if (second.min_[0] - first.max_[0] >= least) break;
-        if (!first.overlap(second) && first.distance(second) < least && callback(*a, *b, data, least)) return;
-      }
+    for (const Member& member : members_) {
+      if (member.object == nullptr) continue;
+      const auto is_due = [&](const Member& other) {
+        return &other < &member && !other.object->getAABB().overlap(member.object->getAABB());
+      };
+      const auto offer = [&](Object* other) { return callback(other, member.object, data, least); };
+      if (offer_nearest(member.object->getAABB(), least, is_due, offer)) return;
+    }
   }
   void distance(Object* object, void* data, fcl::DistanceCallBack<S> callback) const override {
     S least = std::numeric_limits<S>::max();
@@ -146,6 +144,10 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     Handle handle;
     Box<3> box;
   };
+  struct Near {
+    S apart;
+    Object* object;
+  };
 
   void follow(Member& member) {
     const Box<3> box = to_box(member.object->getAABB());
@@ -163,30 +165,65 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   }
   /// `ours_first`: the order of a callback for two managers, as FCL's trees have it.
   bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback, bool ours_first) const {
-    const auto box_of = [this](ObjectId id) {
-      const Member& member = members_[id.index()];
-      return member.object != nullptr ? std::optional(member.box) : std::nullopt;
-    };
-    const auto near = index_->candidates(to_box(object->getAABB()), members_.size(), box_of);
+    const std::vector<ObjectId> near = candidates(object->getAABB());
     return std::ranges::any_of(near, [&](ObjectId id) {
       Object* const ours = id.index() < members_.size() ? members_[id.index()].object : nullptr;
       return ours != nullptr && object->getAABB().overlap(ours->getAABB()) &&
              (ours_first ? callback(ours, object, data) : callback(object, ours, data));
     });
   }
-  /// The nearest boxes first, so that few others are nearer than what their objects are apart.
   bool distance_of_one(Object* object, void* data, fcl::DistanceCallBack<S> callback, bool ours_first,
                        S& least) const {
-    std::vector<std::pair<S, Object*>> nearest;
-    for (const Member& member : members_)
-      if (member.object != nullptr)
-        nearest.emplace_back(object->getAABB().distance(member.object->getAABB()), member.object);
-    std::ranges::sort(nearest, {}, &std::pair<S, Object*>::first);
-    for (const auto& [apart, ours] : nearest) {
-      if (apart >= least) return false;
-      if (ours_first ? callback(ours, object, data, least) : callback(object, ours, data, least)) return true;
+    const auto is_due = [](const Member&) { return true; };
+    const auto offer = [&](Object* ours) {
+      return ours_first ? callback(ours, object, data, least) : callback(object, ours, data, least);
+    };
+    return offer_nearest(object->getAABB(), least, is_due, offer);
+  }
+  /// Offers what is due and nearer than `least`, the nearest boxes first, so that few others are nearer than
+  /// what their objects are apart. Nothing says how far the nearest is: it looks into a box that grows.
+  template <class IsDue, class Offer>
+  bool offer_nearest(const fcl::AABB<S>& from, const S& least, const IsDue& is_due,
+                     const Offer& offer) const {
+    constexpr S kGrowth = 4;
+    S offered = -1;  // all that is nearer
+    S reach = std::max({from.width(), from.height(), from.depth()});
+    if (!(reach >= 0)) return false;  // NaN is near nothing
+    if (reach == 0) reach = 1;
+    for (std::vector<Near> near;; offered = reach, reach *= kGrowth) {
+      reach = std::min(reach, least);
+      const bool are_all = list_near(from, reach, is_due, near);
+      std::ranges::sort(near, {}, &Near::apart);
+      for (const Near& one : near) {
+        if (one.apart < offered) continue;
+        if (one.apart >= (are_all ? least : std::min(reach, least))) break;
+        if (offer(one.object)) return true;
+      }
+      if (are_all || !(reach < least)) return false;
     }
-    return false;
+  }
+  /// Everything that is due and nearer than `reach`, and more. Returns whether nothing is missing.
+  template <class IsDue>
+  bool list_near(const fcl::AABB<S>& from, S reach, const IsDue& is_due, std::vector<Near>& near) const {
+    near.clear();
+    std::size_t here = 0;
+    const fcl::Vector3<S> margin = fcl::Vector3<S>::Constant(reach);
+    for (const ObjectId id : candidates(fcl::AABB<S>(from.min_ - margin, from.max_ + margin))) {
+      if (id.index() >= members_.size() || members_[id.index()].object == nullptr) continue;
+      ++here;
+      const Member& member = members_[id.index()];
+      const S apart = from.distance(member.object->getAABB());
+      if (apart >= 0 && is_due(member)) near.push_back({apart, member.object});
+    }
+    return here == handles_.size();
+  }
+  /// What may overlap a box, each once, and others, some of which may be gone.
+  std::vector<ObjectId> candidates(const fcl::AABB<S>& box) const {
+    const auto box_of = [this](ObjectId id) {
+      const Member& member = members_[id.index()];
+      return member.object != nullptr ? std::optional(member.box) : std::nullopt;
+    };
+    return index_->candidates(to_box(box), members_.size(), box_of);
   }
 
   mutable World<3> world_;  ///< `collide` and `distance` are const, and what came or went waits for them

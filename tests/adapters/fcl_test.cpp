@@ -134,6 +134,43 @@ TEST_F(FclManagerTest, DistancesAreThoseOfTheNaiveManagerAndFewPairsAreAsked) {
   }
 }
 
+/// Enough queries for the index to be packed, in two clusters far apart, with probes that are points, too.
+TEST_F(FclManagerTest, WhatIsNearestIsFoundByTheIndexWhileObjectsMove) {
+  const auto shift = [](Object& object) {
+    object.setTranslation(object.getTranslation() + fcl::Vector3d(1e4, 0, 1e4));
+    object.computeAABB();
+  };
+  for (int i = 0; i < 200; ++i) {
+    Object* const object = make(0.2);
+    if (i % 2 == 0) shift(*object);
+    ours_.registerObject(object);
+    theirs_.registerObject(object);
+  }
+  Object* const probe = make(0.2);
+  objects_.push_back(std::make_unique<Object>(std::make_shared<fcl::Sphere<double>>(0)));
+  Object* const point = objects_.back().get();
+  for (int asked = 0; asked < 400; ++asked) {
+    Object* const asking = asked % 3 == 0 ? point : probe;
+    for (Object* object : {asking, objects_[random_.below(200)].get()}) {
+      place(*object);
+      if (random_.below(2) == 0) shift(*object);
+    }
+    ours_.update();
+    Nearest found;
+    Nearest expected;
+    ours_.distance(asking, &found, measure);
+    theirs_.distance(asking, &expected, measure);
+    ASSERT_DOUBLE_EQ(found.least, expected.least) << asked;
+    ASSERT_LT(found.asked, 30);
+    if (asked % 20 != 0) continue;
+    Nearest two;
+    Nearest expected_two;
+    ours_.distance(&two, measure);
+    theirs_.distance(&expected_two, measure);
+    ASSERT_DOUBLE_EQ(two.least, expected_two.least) << asked;
+  }
+}
+
 TEST_F(FclManagerTest, NoOtherPairIsAskedWhenTwoObjectsOverlap) {
   for (int i = 0; i < 60; ++i) {
     Object* const object = make(30);  // all overlap

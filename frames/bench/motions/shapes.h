@@ -2,6 +2,7 @@
 
 // Worlds and boxes of other shapes than cubes, and other densities.
 
+#include <algorithm>
 #include <cmath>
 
 #include "frames/bench/motions/scattered.h"
@@ -20,6 +21,35 @@ class FlatWorld final : public Flight<D> {
       this->put(k, this->centers_[k]);
     }
   }
+};
+
+/// Straight flight on islands of some 200 objects each, the next one a thousand sizes away along the
+/// diagonal.
+template <int D>
+class Islands final : public Flight<D> {
+ public:
+  Islands(std::uint32_t count, std::uint64_t seed)
+      : Flight<D>(count, seed, side_for(count / number_for(count), D)), islands_(number_for(count)) {
+    this->bounds_ = this->cube(this->side_ + kApart * islands_);
+    spread();
+  }
+  void advance() override {
+    Flight<D>::advance();
+    spread();
+  }
+
+ private:
+  static constexpr std::uint32_t kOnEach = 200;
+  static constexpr double kApart = 1000;
+
+  static std::uint32_t number_for(std::uint32_t count) { return std::max(count / kOnEach, std::uint32_t{1}); }
+  void spread() {
+    for (std::uint32_t k = 0; k < this->boxes_.size(); ++k)
+      this->boxes_[k] =
+          this->around(this->centers_[k] + this->along_all(kApart * (k % islands_)), this->halves_[k]);
+  }
+
+  std::uint32_t islands_;
 };
 
 /// Rods sixty times as long as thick, each along an axis, that fly by most of their thickness in each step.

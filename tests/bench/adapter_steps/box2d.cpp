@@ -73,9 +73,10 @@ Contest box2d_contest(const Start& start) {
   const auto ours = std::make_shared<Box2dScene>(start, true);
   return {"Box2D",
           "b2BroadPhase",
-          "ray",
-          {[own] { own->step(); }, [own](const Start& rays) { own->cast(rays); }},
-          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->cast(rays); }}};
+          [own] { own->step(); },
+          [ours] { ours->step(); },
+          {{"ray", [own](const Start& rays) { own->cast(rays); },
+            [ours](const Start& rays) { ours->cast(rays); }}}};
 }
 
 }  // namespace kerf::adapters

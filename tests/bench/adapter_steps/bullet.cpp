@@ -72,9 +72,10 @@ Contest bullet_contest(const Start& start) {
   const auto ours = std::make_shared<BulletScene>(start, std::make_unique<BulletBroadPhase>());
   return {"Bullet",
           "btDbvtBroadphase",
-          "ray",
-          {[own] { own->step(); }, [own](const Start& rays) { own->cast(rays); }},
-          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->cast(rays); }}};
+          [own] { own->step(); },
+          [ours] { ours->step(); },
+          {{"ray", [own](const Start& rays) { own->cast(rays); },
+            [ours](const Start& rays) { ours->cast(rays); }}}};
 }
 
 }  // namespace kerf::adapters

@@ -24,19 +24,20 @@ struct Start {
 /// direction of its own.
 Start make_start(const std::string& scene, int dimension);
 
-/// A scene in an engine.
-struct Run {
-  std::function<void()> step;
-  std::function<void(const Start&)> ask;  ///< a query for each ray; or empty
+/// A query for each ray, by the engine's own broad phase and by ours.
+struct Asked {
+  std::string what;
+  std::function<void(const Start&)> own;
+  std::function<void(const Start&)> ours;
 };
 
 /// The same scene in an engine with its own broad phase and with ours.
 struct Contest {
   std::string engine;
-  std::string own;    ///< the engine's broad phase
-  std::string asked;  ///< what `ask` asks
-  Run run_own;
-  Run run_ours;
+  std::string own;  ///< the engine's broad phase
+  std::function<void()> step_own;
+  std::function<void()> step_ours;
+  std::vector<Asked> asked;
 };
 
 Contest bullet_contest(const Start& start);

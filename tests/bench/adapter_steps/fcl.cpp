@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -42,14 +43,24 @@ class FclScene {
     });
   }
   void collide_balls(const Start& start) {
-    for (const std::vector<double>& ray : start.rays) {
-      probe_.setTranslation({ray[0], ray[1], ray[2]});
-      probe_.computeAABB();
+    place_at_each(start, [this] {
       manager_->collide(&probe_, &found_, [](auto* /*a*/, auto* /*b*/, void* data) {
         ++*static_cast<std::size_t*>(data);
         return false;
       });
-    }
+    });
+  }
+  void find_nearest(const Start& start) {
+    place_at_each(start, [this] {
+      double least = std::numeric_limits<double>::max();
+      manager_->distance(&probe_, &least, [](auto* a, auto* b, void* data, double& bound) {
+        fcl::DistanceRequest<double> request;
+        fcl::DistanceResult<double> result;
+        auto& nearest = *static_cast<double*>(data);
+        bound = nearest = std::min(nearest, fcl::distance(a, b, request, result));
+        return bound <= 0;
+      });
+    });
   }
 
  private:
@@ -60,6 +71,14 @@ class FclScene {
     const double span = start_.side;
     const double there = std::fmod(from + time * start_.velocities[object][axis] + 1000 * span, 2 * span);
     return std::min(there, 2 * span - there);
+  }
+  template <class Ask>
+  void place_at_each(const Start& start, Ask ask) {
+    for (const std::vector<double>& ray : start.rays) {
+      probe_.setTranslation({ray[0], ray[1], ray[2]});
+      probe_.computeAABB();
+      ask();
+    }
   }
   void place() {
     for (std::size_t k = 0; k < objects_.size(); ++k) {
@@ -85,9 +104,12 @@ Contest fcl_contest(const Start& start) {
   const auto ours = std::make_shared<FclScene>(start, std::make_unique<FclManager<double>>());
   return {"FCL",
           "DynamicAABBTreeCollisionManager",
-          "one object",
-          {[own] { own->step(); }, [own](const Start& rays) { own->collide_balls(rays); }},
-          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->collide_balls(rays); }}};
+          [own] { own->step(); },
+          [ours] { ours->step(); },
+          {{"one object", [own](const Start& rays) { own->collide_balls(rays); },
+            [ours](const Start& rays) { ours->collide_balls(rays); }},
+           {"nearest object", [own](const Start& rays) { own->find_nearest(rays); },
+            [ours](const Start& rays) { ours->find_nearest(rays); }}}};
 }
 
 }  // namespace kerf::adapters

@@ -1,5 +1,5 @@
 // kerf_adapter_steps [STEPS]: processor time of a step of each engine with its own broad phase and with ours,
-// 4,250 objects, step by step in turn, and of 100 queries after each step. Prints two tables for
+// 4,250 objects, step by step in turn, and of 100 queries of each kind after each step. Prints two tables for
 // docs/ADAPTERS.md and, as the last line, JSON.
 
 #include <algorithm>
@@ -65,44 +65,62 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// What the engine's own broad phase takes and what ours does, of each step.
 struct Times {
   std::vector<double> own;
   std::vector<double> ours;
+
+  /// One after the other.
+  template <class Own, class Ours>
+  void measure(Own run_own, Ours run_ours, bool counts) {
+    const double a = milliseconds_of(run_own);
+    const double b = milliseconds_of(run_ours);
+    if (!counts) return;
+    own.push_back(a);
+    ours.push_back(b);
+  }
 };
 
-/// Steps both in turn; the first third of the steps is left out. Prints the row of a step, returns that of a
-/// query.
+/// A row's times: of both, and their ratio.
+std::string to_text(double own, double ours) {
+  std::array<char, 100> text{};
+  std::snprintf(text.data(), text.size(), "%.2f | %.2f | %.2f |\n", own, ours, own / ours);
+  return text.data();
+}
+
+/// Steps both in turn; the first third of the steps is left out. Prints the row of a step, returns those of
+/// queries.
 std::string run(const Contest& contest, const std::string& scene, const Start& start, int steps,
                 nlohmann::json& rows) {
   Times step_times;
-  Times query_times;
+  std::vector<Times> query_times(contest.asked.size());
   for (int step = 0; step < steps; ++step) {
-    const double own = milliseconds_of(contest.run_own.step);
-    const double ours = milliseconds_of(contest.run_ours.step);
     const bool counts = 3 * step >= steps;
-    if (counts) step_times.own.push_back(own);
-    if (counts) step_times.ours.push_back(ours);
-    if (contest.asked.empty()) continue;
-    const double own_queries = milliseconds_of([&] { contest.run_own.ask(start); });
-    const double our_queries = milliseconds_of([&] { contest.run_ours.ask(start); });
-    if (counts) query_times.own.push_back(own_queries);
-    if (counts) query_times.ours.push_back(our_queries);
+    step_times.measure(contest.step_own, contest.step_ours, counts);
+    for (std::size_t k = 0; k < contest.asked.size(); ++k)
+      query_times[k].measure([&] { contest.asked[k].own(start); }, [&] { contest.asked[k].ours(start); },
+                             counts);
   }
   const std::string begin = "| " + contest.engine + " | `" + contest.own + "` | " + scene + " | ";
-  const double a = median(step_times.own);
-  const double b = median(step_times.ours);
-  std::printf("%s%.2f | %.2f | %.2f |\n", begin.c_str(), a, b, a / b);
+  const double own = median(step_times.own);
+  const double ours = median(step_times.ours);
+  std::printf("%s%s", begin.c_str(), to_text(own, ours).c_str());
   std::fflush(stdout);
-  nlohmann::json& row = rows.emplace_back(nlohmann::json{
-      {"engine", contest.engine}, {"own", contest.own}, {"scene", scene}, {"own_ms", a}, {"ours_ms", b}});
-  if (contest.asked.empty()) return "";
-  const double own_us = 1e3 / kRays * median(query_times.own);
-  const double our_us = 1e3 / kRays * median(query_times.ours);
-  row.update({{"asked", contest.asked}, {"own_query_us", own_us}, {"our_query_us", our_us}});
-  std::array<char, 100> end{};
-  std::snprintf(end.data(), end.size(), "%s | %.2f | %.2f | %.2f |\n", contest.asked.c_str(), own_us, our_us,
-                own_us / our_us);
-  return begin + end.data();
+  nlohmann::json queries = nlohmann::json::array();
+  std::string text;
+  for (std::size_t k = 0; k < contest.asked.size(); ++k) {
+    const double own_us = 1e3 / kRays * median(query_times[k].own);
+    const double our_us = 1e3 / kRays * median(query_times[k].ours);
+    queries.push_back({{"what", contest.asked[k].what}, {"own_us", own_us}, {"ours_us", our_us}});
+    text += begin + contest.asked[k].what + " | " + to_text(own_us, our_us);
+  }
+  rows.push_back({{"engine", contest.engine},
+                  {"own", contest.own},
+                  {"scene", scene},
+                  {"own_ms", own},
+                  {"ours_ms", ours},
+                  {"queries", queries}});
+  return text;
 }
 
 }  // namespace

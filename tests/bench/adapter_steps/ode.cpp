@@ -98,9 +98,9 @@ Contest ode_contest(const Start& start, bool sweep_and_prune) {
   const auto ours = std::make_shared<OdeScene>(start, Structure::ours);
   return {"ODE",
           sweep_and_prune ? "dSweepAndPruneSpace" : "dHashSpace",
-          "",
-          {[own] { own->step(); }, {}},
-          {[ours] { ours->step(); }, {}}};
+          [own] { own->step(); },
+          [ours] { ours->step(); },
+          {}};
 }
 
 }  // namespace kerf::adapters

@@ -306,6 +306,36 @@ TYPED_TEST(Shifts, IsKnownThoughMuchMovesBesideIt) {
   }
 }
 
+/// One object lies where the shift would take it beyond the largest float, so the others cannot take the tree
+/// along.
+TYPED_TEST(Shifts, BeyondTheLargestFloatAllIsPlacedAnew) {
+  constexpr int kD = TypeParam::value;
+  constexpr Scalar kFar = 3e38F;
+  Random random(14);
+  std::vector<ObjectId> ids;
+  std::vector<Box<kD>> boxes;
+  Bsp<kD> tree(leaves_of_32());
+  for (std::uint32_t id = 0; id < 400; ++id) {
+    boxes.push_back(random_box<kD>(random, 10, 0.5));
+    ids.push_back({id});
+    if (id == 399) boxes.back().min[0] = boxes.back().max[0] = kFar;
+    ASSERT_EQ(tree.insert({id}, boxes.back(), Mobility::moving), Status::ok);
+  }
+  Vector<kD> far;
+  far[0] = kFar / 2;
+  for (int k = 0; k < 60; ++k) {
+    if (k >= 40 && k % 4 == 0) {
+      const Vector<kD> by = k % 8 == 0 ? far : all<kD>(0) - far;
+      for (std::uint32_t id = 0; id < 399; ++id) boxes[id] = {boxes[id].min + by, boxes[id].max + by};
+    }
+    ASSERT_EQ(tree.move_many(ids, boxes), Status::ok);
+    tree.step();
+    ASSERT_TRUE(same_pairs(tree.pairs(), oracle_pairs(tree.objects()))) << "step " << k;
+    ASSERT_TRUE(validate(tree.tree()).empty()) << "step " << k;
+    ASSERT_TRUE(k != 39 || tree.mode() == Mode::kept);
+  }
+}
+
 /// Not to move at all is no common motion, though it is as far as a point is large.
 TYPED_TEST(Shifts, PointsAtRestAreKept) {
   constexpr int kD = TypeParam::value;

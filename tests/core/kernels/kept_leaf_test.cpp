@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "core/base/random.h"
@@ -157,7 +158,7 @@ TYPED_TEST(KeptLeaves, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
 TYPED_TEST(KeptLeaves, WhatComesAfterAShiftFindsItsPartners) {
   constexpr int kD = TypeParam::value;
   Random random(7);
-  for (const float way : {0.3F, 1e6F, -2e7F}) {
+  for (const auto& [way, ranked] : {std::pair{0.3F, false}, {1e6F, false}, {-2e7F, false}, {1e6F, true}}) {
     LeafView<kD> all = draw_leaf<kD>(Spread::even, 300, random);
     Vector<kD> vector;
     for (int axis = 0; axis < kD; ++axis) vector[axis] = way;
@@ -165,11 +166,11 @@ TYPED_TEST(KeptLeaves, WhatComesAfterAShiftFindsItsPartners) {
     for (const std::string& name : kernels()) {
       use_kernel(name);
       KeptLeaf<kD> leaf = leaf_of(part_of(all, 0, 200), Names::objects);
+      if (ranked) rank_bytes(all, leaf);
       LeafView<kD> there = all;
       for (PackedBox<kD>& box : there.boxes) box = moved(box, by);
       const std::vector<PackedBox<kD>> boxes = by_object(there);
-      leaf.bytes.origin = moved(leaf.bytes.origin, by);
-      leaf.bytes_stale = true;
+      move_bytes(vector, leaf);
       std::vector<PackedBox<kD>> gathered;
       renew_bytes<kD>(leaf, boxes, gathered);
       append_entries(part_of(there, 200, 300), leaf);

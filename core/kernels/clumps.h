@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "core/kernels/leaf_view.h"
+
+namespace kerf {
+
+/// A leaf's entries in the order of their beginnings along an axis, in bytes.
+struct OrderedBytes {
+  std::span<const std::uint32_t> order;  ///< places in the leaf
+  const std::uint8_t* begins;
+  const std::uint8_t* ends;
+};
+
+/// Divides leaves whose boxes lie in clumps far from one another, as islands do: each part is swept by
+/// itself, with bytes that fit its own size. Few objects that reach across the gaps, as grounds do, are in
+/// each part.
+template <int D>
+class Clumps {
+ public:
+  /// No part waits.
+  void clear() { count_ = next_ = 0; }
+  /// Divides a leaf, or a part, where no box of its order reaches on. False, and nothing is done, where there
+  /// is no such gap.
+  bool divide(const LeafView<D>& leaf, const OrderedBytes& bytes);
+  /// The next part that waits; null if none does.
+  [[nodiscard]] const LeafView<D>* next() { return next_ < count_ ? &parts_[next_++] : nullptr; }
+
+ private:
+  void list_cuts(const OrderedBytes& bytes);
+  LeafView<D>& add_part();
+
+  std::deque<LeafView<D>> parts_;  ///< a part is divided while others are added
+  std::size_t count_ = 0;
+  std::size_t next_ = 0;
+  std::vector<std::uint32_t> cuts_;  ///< where parts end in the order
+  std::vector<std::uint32_t> long_;  ///< places in the order of entries that reach across
+};
+
+}  // namespace kerf
