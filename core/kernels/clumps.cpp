@@ -44,20 +44,19 @@ void Clumps<D>::list_cuts(const OrderedBytes& bytes) {
   const std::size_t n = bytes.order.size();
   cuts_.clear();
   long_.clear();
-  std::size_t clump = 0;    // where it begins
-  std::size_t waiting = 0;  // entries of small clumps before it
+  std::size_t begin = 0;    // of the clump
+  std::size_t size = 0;     // entries of the clump that are not long
+  std::size_t waiting = 0;  // those of small clumps before it
   int reach = -1;
   const auto end_clump = [&](std::size_t end) {
-    if (end - clump < tuning::kLeastClump) {
-      waiting += end - clump;
-    } else {
-      if (waiting > 0) cuts_.push_back(static_cast<std::uint32_t>(clump));
-      waiting = tuning::kLeastClump;
+    if (size >= tuning::kLeastClump && waiting > 0) cuts_.push_back(static_cast<std::uint32_t>(begin));
+    waiting = size >= tuning::kLeastClump ? size : waiting + size;
+    if (waiting >= tuning::kLeastClump) {
+      cuts_.push_back(static_cast<std::uint32_t>(end));
+      waiting = 0;
     }
-    clump = end;
-    if (waiting < tuning::kLeastClump) return;
-    cuts_.push_back(static_cast<std::uint32_t>(end));
-    waiting = 0;
+    begin = end;
+    size = 0;
   };
   for (std::size_t k = 0; k < n; ++k) {
     if (is_long(bytes, k)) {
@@ -67,6 +66,7 @@ void Clumps<D>::list_cuts(const OrderedBytes& bytes) {
     }
     if (bytes.begins[k] > reach) end_clump(k);
     reach = std::max<int>(reach, bytes.ends[k]);
+    ++size;
   }
   end_clump(n);
   if (waiting > 0) cuts_.push_back(static_cast<std::uint32_t>(n));
