@@ -80,6 +80,20 @@ class LazyIndex {
     return gather(query, bound);
   }
 
+  /// How far an object's box is from a point: mostly the nearest one's. Infinite if the index knows none.
+  [[nodiscard]] double reach_of_nearest(const Vector<D>& point) const {
+    const std::shared_lock lock(mutex_);
+    Filter known;
+    known.accepts = [](void* context, ObjectId object) {
+      return !static_cast<const LazyIndex*>(context)->is_noted(object);
+    };
+    known.context = const_cast<LazyIndex*>(this);
+    std::vector<Neighbour> found;
+    const bool is_found =
+        is_packed_ && index_.nearest({point, 1}, found, known) == QueryStatus::ok && !found.empty();
+    return is_found ? std::sqrt(found.front().squared_distance) : std::numeric_limits<double>::infinity();
+  }
+
  private:
   // To take in the boxes of objects that moved costs as much as to look at each so many times, and to build
   // anew as much as this. The next time is taken to be like the last one.
@@ -89,6 +103,9 @@ class LazyIndex {
   /// Where all changed and the last time has paid, it is packed after one look at each.
   [[nodiscard]] std::size_t looks_to_pack(std::size_t bound) const {
     return !is_packed_ && has_paid_ ? bound : looks_a_pack_ * bound;
+  }
+  [[nodiscard]] bool is_noted(ObjectId object) const {
+    return object.index() < is_noted_.size() && is_noted_[object.index()] != 0;
   }
   void mark(ObjectId object) {
     if (object.index() >= is_noted_.size()) is_noted_.resize(object.index() + std::size_t{1});
@@ -134,9 +151,7 @@ class LazyIndex {
       for (std::size_t i = 0; i < bound; ++i) found[i] = {static_cast<std::uint32_t>(i)};
       return found;
     }
-    std::erase_if(found, [this](ObjectId object) {
-      return object.index() < is_noted_.size() && is_noted_[object.index()] != 0;
-    });
+    std::erase_if(found, [this](ObjectId object) { return is_noted(object); });
     found.insert(found.end(), noted_.begin(), noted_.end());
     return found;
   }
@@ -166,7 +181,7 @@ class LazyIndex {
   std::size_t looks_a_pack_ = kLooksABuild;
   std::atomic<std::size_t> looked_at_ = 0;  ///< since it was packed
   std::atomic<std::size_t> answered_ = 0;   ///< by the index, since it was packed
-  std::shared_mutex mutex_;
+  mutable std::shared_mutex mutex_;
 };
 
 }  // namespace kerf

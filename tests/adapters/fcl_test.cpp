@@ -292,6 +292,49 @@ TEST_F(FclManagerTest, QueriesOfTwoThreadsChangeNothing) {
   EXPECT_EQ(ours_.world().save(state), WorldStatus::ok);
 }
 
+/// Neither the pairs nor the distances end for it.
+TEST_F(FclManagerTest, ACallbackMayUnregisterObjects) {
+  struct Seen {
+    FclManager<double>* manager;
+    std::set<Object*> gone;
+    int calls = 0;
+    bool forgets_all = false;
+
+    void leave(Object* a, Object* b) {
+      EXPECT_FALSE(gone.contains(a) || gone.contains(b));
+      ++calls;
+      if (forgets_all) return manager->clear();
+      manager->unregisterObject(b);
+      gone.insert(b);
+    }
+  };
+  const auto collided = [](Object* a, Object* b, void* data) {
+    static_cast<Seen*>(data)->leave(a, b);
+    return false;
+  };
+  const auto measured = [](Object* a, Object* b, void* data, double& /*least*/) {
+    static_cast<Seen*>(data)->leave(a, b);
+    return false;
+  };
+  std::vector<Object*> all;
+  for (const double size : {30.0, 0.01}) {  // all overlap, and none do
+    all.clear();
+    for (int k = 0; k < 8; ++k) all.push_back(make(size));
+    for (const bool forgets_all : {false, true}) {
+      for (const bool measures : {false, true}) {
+        if (size < 1 && !measures) continue;
+        ours_.clear();
+        ours_.registerObjects(all);
+        ours_.setup();
+        Seen seen{&ours_, {}, 0, forgets_all};
+        measures ? ours_.distance(&seen, measured) : ours_.collide(&seen, collided);
+        EXPECT_EQ(seen.calls, forgets_all ? 1 : 7);
+        EXPECT_EQ(ours_.size(), forgets_all ? 0U : 1U);
+      }
+    }
+  }
+}
+
 TEST_F(FclManagerTest, ACallbackEndsTheSearchAndTwiceIsRefused) {
   Object* const a = make(30);
   for (Object* object : {a, make(30), make(30)}) ours_.registerObject(object);
