@@ -191,16 +191,4 @@ inline constexpr std::size_t kFewWalks = 64;
 /// Pieces of work for each thread. Falling in 2D, two threads: eight instead of four, 17.1 -> 16.0 ns.
 inline constexpr std::size_t kPiecesPerThread = 8;
 
-// The grid of columns, with which ours is compared.
-
-/// Entries that begin within the length of a usual one, in a column: two vectors of AVX2 hold nearly all of
-/// them. 64,000 objects: 118 ns with 11 and 295 with 4 in 3D, 56 and 94 in 2D.
-inline constexpr double kFollowers = 8;
-/// The least cell, over the mean extent of an object.
-inline constexpr double kLeastColumn = 1.0;
-/// Entries of an object in the mean beyond which cells are made larger.
-inline constexpr std::size_t kEntriesInColumns = 6;
-/// Cells along an axis: their table must not outgrow the objects.
-constexpr std::uint32_t most_columns(int dimension) { return dimension == 2 ? 1U << 15U : 1U << 10U; }
-
 }  // namespace kerf::tuning
