@@ -5,6 +5,7 @@
 
 #include "frames/sequence/panes_film.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/gliding_box.h"
 #include "viz/draw/view_box.h"
 
 namespace kerf {
@@ -31,6 +32,7 @@ class PanesOfScene final : public PanesFilm<D> {
   std::vector<std::uint8_t> parcel() override {
     const auto bodies = scene_->bodies();
     view_.update(bodies);
+    glide_.go_on(view_.box(), view_.needed());
     PanesFrame<D> frame;
     frame.scene = name_;
     frame.step = scene_->step();
@@ -38,7 +40,7 @@ class PanesOfScene final : public PanesFilm<D> {
     frame.moving = count_moving(bodies);
     frame.bodies.assign(bodies.begin(), bodies.end());
     frame.contacts.assign(scene_->contacts().begin(), scene_->contacts().end());
-    frame.bounds = view_.box();
+    frame.bounds = *glide_.box();
     return this->pack_with_panes(std::move(frame));
   }
 
@@ -64,6 +66,7 @@ class PanesOfScene final : public PanesFilm<D> {
   std::string name_;
   std::unique_ptr<Scene<D>> scene_;
   ViewBox<D> view_;
+  GlidingBox<D> glide_;  ///< towards it
 };
 
 }  // namespace

@@ -35,7 +35,8 @@ std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
 template <int D>
 const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {
   view_box_.update(input.bodies);
-  plan_.bounds = view_box_.box();
+  glide_.go_on(view_box_.box(), view_box_.needed());
+  plan_.bounds = framed();
   plan_.outside = count_outside(input.bodies, plan_.bounds);
   plan_.names_outside |= plan_.outside > 0;
   plan_.has_tree = input.tree != nullptr;
@@ -55,7 +56,7 @@ void FramePlanner<D>::observe(const FrameInput<D>& input) {
   plan_.snapshot.assign(input.tree);
   std::swap(plan_.crowds, crowds_before_);
   plan_.crowds.clear();
-  const Box<D> bounds = view_box_.box();
+  const Box<D> bounds = framed();
   if (D == 3 && input.tree != nullptr) plan_.crowds = find_crowds(*input.tree, input.bodies, bounds);
   highlights_.update(input, {plan_.snapshot, plan_.crowds}, {before_, crowds_before_}, bounds);
 }
@@ -67,6 +68,12 @@ void FramePlanner<D>::forget() {
   plan_.crowds.clear();
   crowds_before_.clear();
   highlights_ = {};
+}
+
+template <int D>
+void FramePlanner<D>::fix_view_box(const Box<D>& box) {
+  view_box_.fix(box);
+  glide_.jump(view_box_.box());
 }
 
 template <int D>

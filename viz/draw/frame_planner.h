@@ -5,6 +5,7 @@
 
 #include "core/base/config.h"
 #include "viz/draw/draw_context.h"
+#include "viz/draw/gliding_box.h"
 #include "viz/draw/highlights.h"
 #include "viz/draw/view_box.h"
 
@@ -50,7 +51,7 @@ class FramePlanner {
   void forget();
 
   /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
-  void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
+  void fix_view_box(const Box<D>& box);
   /// From now on the caption says how many bodies lie outside, also if none does.
   void name_outside() { plan_.names_outside = true; }
   /// From now on the ramp of populations ends here.
@@ -58,12 +59,14 @@ class FramePlanner {
   void set_layers(LayerSet layers) { layers_ = layers; }
 
  private:
+  [[nodiscard]] Box<D> framed() const { return glide_.box().value_or(view_box_.box()); }
   void choose_largest_population();
   void choose_samples(std::size_t bodies);
 
   LayerSet layers_;
   int wanted_samples_;
   ViewBox<D> view_box_;
+  GlidingBox<D> glide_;  ///< towards it
   TreeSnapshotOf<D> before_;
   std::vector<Box<D>> crowds_before_;
   Highlights<D> highlights_;

@@ -42,6 +42,7 @@ void ViewBox<D>::update(std::span<const Body<D>> bodies) {
     seen = box_of_interest(bodies, Framing::everything);
     if (seen) framing_ = Framing::everything;
   }
+  needed_ = seen;
   if (!seen) return;
   if (!box_) box_ = padded(*seen);
   const Box<D> needed = join(*box_, *seen);
@@ -59,6 +60,7 @@ void ViewBox<D>::fix(const Box<D>& box) {
   if (!good)
     throw std::invalid_argument("a view box needs finite bounds with min <= max on each axis, below 1e19");
   box_ = padded(box);
+  needed_.reset();
   fixed_ = true;
 }
 

@@ -20,10 +20,13 @@ class ViewBox {
   void fix(const Box<D>& box);
   /// A unit box before anything was seen.
   [[nodiscard]] Box<D> box() const;
+  /// What the last frame needs of it; none if it has nothing of interest.
+  [[nodiscard]] const std::optional<Box<D>>& needed() const { return needed_; }
 
  private:
   Framing framing_;
   std::optional<Box<D>> box_;
+  std::optional<Box<D>> needed_;
   bool fixed_ = false;
 };
 
