@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "viz/draw/flow.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/overlay.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
@@ -24,21 +25,31 @@ std::string percent(double fraction) {
   return padded((tenths < 0 ? "-" : "") + digits, 5) + " %";
 }
 
-int gap(const Font& font) { return 2 * font.advance(); }
-
-int width(const Font& font, const CaptionItem& item) {
-  return font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value));
+std::vector<flow::Piece> pieces_of(const Font& font, std::span<const CaptionItem> items) {
+  std::vector<flow::Piece> pieces;
+  for (const CaptionItem& item : items)
+    pieces.push_back(
+        {font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value)), item.begins_line});
+  return pieces;
 }
 
-/// The step first, if its place is not on one of the first lines.
+/// The step first, if it has no place on one of the first lines.
 std::vector<CaptionItem> with_step_in(int lines, const Font& font, int picture_width,
                                       std::vector<CaptionItem> items) {
   const auto step = std::ranges::find(items, "step", &CaptionItem::word);
   if (step == items.end()) return items;
-  const auto spots = flow::arrange_caption(font, picture_width, items);
-  if (spots[static_cast<std::size_t>(step - items.begin())].line >= lines)
+  const flow::Fitted fitted = flow::fit_caption(font, picture_width, lines, items);
+  if (static_cast<std::size_t>(step - items.begin()) >= fitted.shown)
     std::rotate(items.begin(), step, step + 1);
   return items;
+}
+
+/// One that is wider than a line loses its end.
+CaptionItem within_line(const CaptionItem& item, std::size_t letters) {
+  if (item.value.empty()) return {shortened(item.word, letters), ""};
+  const std::string front = item.word + " ";
+  const std::string text = shortened(front + item.value, letters);
+  return text.starts_with(front) ? CaptionItem{item.word, text.substr(front.size())} : CaptionItem{text, ""};
 }
 
 }  // namespace
@@ -74,9 +85,12 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
 
 std::vector<flow::Spot> flow::arrange_caption(const Font& font, int picture_width,
                                               std::span<const CaptionItem> items) {
-  std::vector<Piece> pieces;
-  for (const CaptionItem& item : items) pieces.push_back({width(font, item), item.begins_line});
-  return arrange(pieces, gap(font), padding(font), picture_width - padding(font));
+  return arrange_across(font, picture_width, pieces_of(font, items));
+}
+
+flow::Fitted flow::fit_caption(const Font& font, int picture_width, int lines,
+                               std::span<const CaptionItem> items) {
+  return fit_across(font, picture_width, lines, pieces_of(font, items));
 }
 
 void draw_caption(const View& view, const Font& font, const Layout& layout,
@@ -88,15 +102,16 @@ void draw_caption(const View& view, const Font& font, const Layout& layout,
   const int room = (layout.caption_height - pad) / font.line_height();
   const int picture_width = static_cast<int>(view.picture_width);
   const std::vector<CaptionItem> items = with_step_in(room, font, picture_width, all_items);
-  const auto spots = flow::arrange_caption(font, picture_width, items);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (spots[i].line >= room) return;
-    const int y = pad + spots[i].line * font.line_height();
-    const int x = spots[i].x;
-    overlay.text.add(font, x, y, items[i].word, palette::kFaintInk);
-    overlay.text.add(font, x + font.width(items[i].word + " "), y, items[i].value, palette::kInk);
+  const flow::Fitted fitted = flow::fit_caption(font, picture_width, room, items);
+  const std::size_t letters = font.letters(picture_width - 2 * pad);
+  for (std::size_t i = 0; i < fitted.spots.size(); ++i) {
+    const int y = pad + fitted.spots[i].line * font.line_height();
+    const int x = fitted.spots[i].x;
+    const CaptionItem item = within_line(i < fitted.shown ? items[i] : CaptionItem{flow::kMore, ""}, letters);
+    overlay.text.add(font, x, y, item.word, palette::kFaintInk);
+    overlay.text.add(font, x + font.width(item.word + " "), y, item.value, palette::kInk);
   }
-  const int line = flow::lines(spots);
+  const int line = flow::lines(fitted.spots);
   if (!log.empty() && line < room)
     overlay.text.add(font, pad, pad + line * font.line_height(), log, palette::kInk);
 }

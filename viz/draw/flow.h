@@ -25,7 +25,21 @@ struct Piece {
 std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int right);
 int lines(std::span<const Spot> spots);
 
+/// What stands behind the last piece that has room.
+inline constexpr const char* kMore = "...";
+
+/// The pieces that have room, the first ones, and a spot for `kMore` where these are not all.
+struct Fitted {
+  std::size_t shown = 0;
+  std::vector<Spot> spots;
+};
+
 std::vector<Spot> arrange_caption(const Font& font, int picture_width, std::span<const CaptionItem> items);
 std::vector<Spot> arrange_legend(const Font& font, int picture_width, std::span<const LegendItem> items);
+Fitted fit_caption(const Font& font, int picture_width, int lines, std::span<const CaptionItem> items);
+Fitted fit_legend(const Font& font, int picture_width, int lines, std::span<const LegendItem> items);
+/// Pieces across the picture, with two letters between them.
+std::vector<Spot> arrange_across(const Font& font, int picture_width, std::span<const Piece> pieces);
+Fitted fit_across(const Font& font, int picture_width, int lines, std::span<const Piece> pieces);
 
 }  // namespace kerf::flow

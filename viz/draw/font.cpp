@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "viz/draw/letters.h"
+
 // The only user of stb_truetype: the implementation lives here.
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
@@ -53,30 +55,11 @@ Font::Font(int pixels) {
   }
 }
 
-int Font::width(std::string_view text) const { return static_cast<int>(decode_utf8(text).size()) * advance_; }
+int Font::width(std::string_view text) const { return static_cast<int>(count_letters(text)) * advance_; }
 
 const Font::Glyph& Font::glyph(char32_t code) const {
   const bool known = code >= kFirst && code <= kLast;
   return glyphs_[static_cast<std::size_t>((known ? code : U'?') - kFirst)];
-}
-
-std::vector<char32_t> decode_utf8(std::string_view text) {
-  constexpr char32_t kReplacement = 0xfffd;
-  std::vector<char32_t> result;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<std::uint8_t>(text[i++]);
-    const int more = lead < 0x80 ? 0 : lead >> 5U == 6 ? 1 : lead >> 4U == 14 ? 2 : lead >> 3U == 30 ? 3 : -1;
-    if (more < 0) {
-      result.push_back(kReplacement);
-      continue;
-    }
-    char32_t code = more == 0 ? lead : lead & (0x3fU >> static_cast<unsigned>(more));
-    int read = 0;
-    for (; read < more && i < text.size() && (static_cast<std::uint8_t>(text[i]) & 0xc0U) == 0x80U; ++read)
-      code = code << 6U | (static_cast<std::uint8_t>(text[i++]) & 0x3fU);
-    result.push_back(read == more ? code : kReplacement);
-  }
-  return result;
 }
 
 }  // namespace kerf

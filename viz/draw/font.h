@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -30,6 +32,10 @@ class Font {
   [[nodiscard]] int line_height() const { return line_height_; }
   /// Width of UTF-8 text in pixels.
   [[nodiscard]] int width(std::string_view text) const;
+  /// The letters that have room in so many pixels.
+  [[nodiscard]] std::size_t letters(int width) const {
+    return static_cast<std::size_t>(std::max(0, width / advance_));
+  }
   [[nodiscard]] const Glyph& glyph(char32_t code) const;
   [[nodiscard]] const std::vector<std::uint8_t>& texture() const { return texture_; }
   [[nodiscard]] int texture_width() const { return texture_width_; }
@@ -47,8 +53,5 @@ class Font {
   int ascent_ = 0;
   int line_height_ = 0;
 };
-
-/// The characters of UTF-8 text; bytes that are no UTF-8 become U+FFFD.
-std::vector<char32_t> decode_utf8(std::string_view text);
 
 }  // namespace kerf

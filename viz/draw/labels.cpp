@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viz/draw/letters.h"
 #include "viz/draw/overlay.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
@@ -71,12 +72,14 @@ std::vector<Label> place_labels(const Font& font, const Viewport& scene, std::sp
   std::vector<Label> placed;
   std::vector<Viewport> taken;
   for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
-    const double width = font.width(label->text) + 2 * pad;
+    const std::string text = shortened(label->text, font.letters(static_cast<int>(scene.width) - 4 * pad));
+    const double width = font.width(text) + 2 * pad;
     const auto place = find_place(label->point, width, font.line_height() + pad, scene, taken);
     if (!place) continue;
     taken.push_back(*place);
     placed.push_back(*label);
     placed.back().place = *place;
+    placed.back().text = text;
   }
   return placed;
 }

@@ -37,6 +37,21 @@ std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int 
 
 int lines(std::span<const Spot> spots) { return spots.empty() ? 0 : spots.back().line + 1; }
 
+std::vector<Spot> arrange_across(const Font& font, int picture_width, std::span<const Piece> pieces) {
+  return arrange(pieces, 2 * font.advance(), padding(font), picture_width - padding(font));
+}
+
+Fitted fit_across(const Font& font, int picture_width, int lines, std::span<const Piece> pieces) {
+  Fitted fitted{pieces.size(), arrange_across(font, picture_width, pieces)};
+  std::vector<Piece> kept(pieces.begin(), pieces.end());
+  while (fitted.shown > 0 && flow::lines(fitted.spots) > lines) {
+    kept.resize(--fitted.shown);
+    kept.push_back({font.width(kMore)});
+    fitted.spots = arrange_across(font, picture_width, kept);
+  }
+  return fitted;
+}
+
 }  // namespace flow
 
 int font_pixels(int picture_height) { return std::clamp(picture_height / 40, 11, 128); }

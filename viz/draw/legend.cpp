@@ -1,5 +1,6 @@
 
 #include "viz/draw/flow.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/overlay.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
@@ -13,7 +14,12 @@ int swatch_width(const Font& font, Swatch swatch) {
   return (swatch == Swatch::population ? 6 : is_block ? 2 : 3) * font.advance();
 }
 
-int gap(const Font& font) { return 2 * font.advance(); }
+std::vector<flow::Piece> pieces_of(const Font& font, std::span<const LegendItem> items) {
+  std::vector<flow::Piece> pieces;
+  for (const LegendItem& item : items)
+    pieces.push_back({swatch_width(font, item.swatch) + font.advance() + font.width(item.text)});
+  return pieces;
+}
 
 /// Draws swatches into the box of one line of text.
 class SwatchPainter {
@@ -125,10 +131,12 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
 
 std::vector<flow::Spot> flow::arrange_legend(const Font& font, int picture_width,
                                              std::span<const LegendItem> items) {
-  std::vector<Piece> pieces;
-  for (const LegendItem& item : items)
-    pieces.push_back({swatch_width(font, item.swatch) + font.advance() + font.width(item.text)});
-  return arrange(pieces, gap(font), padding(font), picture_width - padding(font));
+  return arrange_across(font, picture_width, pieces_of(font, items));
+}
+
+flow::Fitted flow::fit_legend(const Font& font, int picture_width, int lines,
+                              std::span<const LegendItem> items) {
+  return fit_across(font, picture_width, lines, pieces_of(font, items));
 }
 
 void draw_legend(const View& view, const Font& font, const Layout& layout,
@@ -139,15 +147,22 @@ void draw_legend(const View& view, const Font& font, const Layout& layout,
                            palette::kPanel);
   const SwatchPainter painter(view, line_scale, overlay.shapes);
   const int pad = flow::padding(font);
-  const auto spots = flow::arrange_legend(font, static_cast<int>(view.picture_width), items);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (pad + (spots[i].line + 1) * font.line_height() > layout.legend_height) return;
-    const int y = static_cast<int>(top) + pad + spots[i].line * font.line_height();
+  const int right = static_cast<int>(view.picture_width) - pad;
+  const int room = (layout.legend_height - pad) / font.line_height();
+  const auto [shown, spots] = flow::fit_legend(font, static_cast<int>(view.picture_width), room, items);
+  const auto y_of = [&](const flow::Spot& spot) {
+    return static_cast<int>(top) + pad + spot.line * font.line_height();
+  };
+  for (std::size_t i = 0; i < shown; ++i) {
+    const int y = y_of(spots[i]);
     const int width = swatch_width(font, items[i].swatch);
+    const int x = spots[i].x + width + font.advance();
     painter.draw(items[i].swatch, {double(spots[i].x), y + 0.2 * font.line_height(), double(width),
                                    0.55 * font.line_height()});
-    overlay.text.add(font, spots[i].x + width + font.advance(), y, items[i].text, palette::kInk);
+    overlay.text.add(font, x, y, shortened(items[i].text, font.letters(right - x)), palette::kInk);
   }
+  if (shown < items.size())
+    overlay.text.add(font, spots.back().x, y_of(spots.back()), flow::kMore, palette::kInk);
 }
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 
 #include "core/base/counted.h"
 #include "viz/draw/flow.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/overlay.h"
 
 namespace kerf {
@@ -29,12 +30,6 @@ std::string acted_text(const std::vector<Highlight>& highlights, std::size_t sho
   return shown == 0 ? "acted: " + counted(more, "operator") : text + " and " + std::to_string(more) + " more";
 }
 
-std::string cut_to(const Font& font, int width, std::string text) {
-  if (font.width(text) <= width) return text;
-  while (!text.empty() && font.width(text + "...") > width) text.pop_back();
-  return text + "...";
-}
-
 }  // namespace
 
 std::string log_line(const Font& font, int picture_width, const std::string& note,
@@ -45,7 +40,7 @@ std::string log_line(const Font& font, int picture_width, const std::string& not
   const std::string begin = note.empty() || highlights.empty() ? note : note + "   ";
   for (std::size_t shown = highlights.size(); shown > 0; --shown)
     if (std::string text = begin + acted_text(highlights, shown); font.width(text) <= width) return text;
-  return cut_to(font, width, highlights.empty() ? begin : begin + acted_text(highlights, 0));
+  return shortened(highlights.empty() ? begin : begin + acted_text(highlights, 0), font.letters(width));
 }
 
 }  // namespace kerf

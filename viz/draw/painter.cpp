@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "viz/draw/letters.h"
 #include "viz/gl/shader.h"
 
 namespace kerf {

@@ -1,17 +1,23 @@
 #include "viz/draw/pane_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <span>
 #include <sstream>
 
 #include "viz/draw/flow.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 #include "viz/draw/structure_draw.h"
 
 namespace kerf {
 namespace {
+
+constexpr std::size_t kBetween = 2;  // letters between items of a line
 
 std::string right_aligned(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
@@ -52,15 +58,37 @@ std::vector<std::string> figures_of(const StructurePane<D>& pane, bool is_timed)
   return items;
 }
 
-/// Lines of whole words.
-std::vector<std::string> wrapped(const std::string& text, std::size_t letters) {
+/// Lines of whole items; one that is longer than a line loses its end.
+std::vector<std::string> lines_of(std::span<const std::string> items, std::size_t between,
+                                  std::size_t letters) {
   std::vector<std::string> lines{""};
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  for (const std::string& item : items) {
+    const std::size_t taken = count_letters(lines.back()) + between;
+    if (!lines.back().empty() && taken + count_letters(item) > letters) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : std::string(between, ' ')) + shortened(item, letters);
   }
   return lines;
+}
+
+/// The same in so many lines: "..." stands for the items that have no room.
+std::vector<std::string> lines_within(std::vector<std::string> items, std::size_t between,
+                                      const PaneRoom& room) {
+  std::vector<std::string> lines = lines_of(items, between, room.letters);
+  while (lines.size() > room.lines && items.size() > 2) {
+    if (items.back() == flow::kMore) items.pop_back();
+    items.back() = flow::kMore;
+    lines = lines_of(items, between, room.letters);
+  }
+  if (lines.size() <= room.lines) return lines;
+  lines.resize(room.lines);
+  lines.back() = shortened(lines.back() + " " + flow::kMore, room.letters);
+  return lines;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  using Words = std::istream_iterator<std::string>;
+  std::istringstream stream(text);
+  return std::vector<std::string>(Words(stream), Words());
 }
 
 enum class PaneMark { block, depths, fills, line, dashed, contact, strip };
@@ -80,7 +108,7 @@ std::vector<LegendMark> items_of(const PanesLegend& legend) {
     if (legend.has_straddlers && shown.has(Layer::leaves))
       items.push_back({PaneMark::block, palette::kStraddler, "in 2+ cells"});
   }
-  if (legend.has_cells && shown.has(Layer::leaves)) {
+  if (legend.has_cells && shown.has(Layer::leaves) && (legend.dimension == 2 || shown.has(Layer::objects))) {
     items.push_back({PaneMark::fills, {}, "cell of 1 to " + std::to_string(kFullCell) + "+ objects"});
     if (legend.dimension == 2) items.push_back({PaneMark::block, kSiblingOverlap, "siblings overlap"});
   }
@@ -102,11 +130,11 @@ int width_of(const Font& font, PaneMark mark) {
                                                                                : 3);
 }
 
-std::vector<flow::Spot> arrange(const std::vector<LegendMark>& items, const Font& font, int width) {
+std::vector<flow::Piece> pieces_of(const std::vector<LegendMark>& items, const Font& font) {
   std::vector<flow::Piece> pieces;
   for (const LegendMark& item : items)
     pieces.push_back({width_of(font, item.mark) + font.advance() + font.width(item.text)});
-  return flow::arrange(pieces, 2 * font.advance(), flow::padding(font), width - flow::padding(font));
+  return pieces;
 }
 
 class LegendMarkPainter {
@@ -165,48 +193,57 @@ class LegendMarkPainter {
 }  // namespace
 
 template <int D>
-PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters) {
-  constexpr std::size_t kBetween = 2;
+PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, const PaneRoom& room) {
   PaneLines lines;
-  lines.plain = wrapped(pane.name + (pane.parts.kind.empty() ? "" : ": " + pane.parts.kind), letters);
-  lines.plain.emplace_back();
-  for (const std::string& item : figures_of(pane, is_timed)) {
-    std::string* line = &lines.plain.back();
-    if (!line->empty() && line->size() + kBetween + item.size() > letters) line = &lines.plain.emplace_back();
-    *line += (line->empty() ? "" : std::string(kBetween, ' ')) + item;
+  const std::string name = pane.name + (pane.parts.kind.empty() ? "" : ": " + pane.parts.kind);
+  lines.plain = lines_within(words_of(name), 1, {room.letters, std::max<std::size_t>(2, room.lines) - 1});
+  const auto left = [&] { return room.lines - std::min(room.lines, lines.size()); };
+  if (left() > 0) {
+    const auto figures = lines_within(figures_of(pane, is_timed), kBetween, {room.letters, left()});
+    lines.plain.insert(lines.plain.end(), figures.begin(), figures.end());
   }
-  if (!pane.parts.unseen.empty()) lines.faint = wrapped(pane.parts.unseen, letters);
+  if (!pane.parts.unseen.empty() && left() > 0)
+    lines.faint = lines_within(words_of(pane.parts.unseen), 1, {room.letters, left()});
   return lines;
 }
 
 template <int D>
-std::string panes_title(const PanesFrame<D>& frame) {
+std::vector<std::string> panes_title(const PanesFrame<D>& frame, std::size_t letters) {
   const std::string step = frame.step_name.empty() ? figure(frame.step, 5) : frame.step_name;
-  return "scene " + frame.scene + "  step " + step + "  objects " + figure(frame.objects, 5) + "  moving " +
-         figure(frame.moving, 5);
+  const std::array<std::string, 4> items{"scene " + frame.scene, "step " + step,
+                                         "objects " + figure(frame.objects, 5),
+                                         "moving " + figure(frame.moving, 5)};
+  return lines_of(items, kBetween, letters);
 }
 
 int legend_lines(const PanesLegend& legend, const Font& font, int width) {
-  return flow::lines(arrange(items_of(legend), font, width));
+  return flow::lines(flow::arrange_across(font, width, pieces_of(items_of(legend), font)));
 }
 
 void draw_panes_legend(const PanesLegend& legend, const View& view, const Font& font, int top, double scale,
                        Overlay& overlay) {
   const std::vector<LegendMark> items = items_of(legend);
-  const auto spots = arrange(items, font, static_cast<int>(view.picture_width));
+  const int pad = flow::padding(font);
+  const int right = static_cast<int>(view.picture_width) - pad;
+  const int room = (static_cast<int>(view.picture_height) - top - pad) / font.line_height();
+  const auto [shown, spots] = flow::fit_across(font, right + pad, room, pieces_of(items, font));
   const LegendMarkPainter painter(view, scale, overlay.shapes);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const int y = top + flow::padding(font) + spots[i].line * font.line_height();
+  const auto y_of = [&](const flow::Spot& spot) { return top + pad + spot.line * font.line_height(); };
+  for (std::size_t i = 0; i < shown; ++i) {
+    const int y = y_of(spots[i]);
     const int width = width_of(font, items[i].mark);
+    const int x = spots[i].x + width + font.advance();
     painter.draw(items[i], {double(spots[i].x), y + 0.2 * font.line_height(), double(width),
                             0.55 * font.line_height()});
-    overlay.text.add(font, spots[i].x + width + font.advance(), y, items[i].text, palette::kInk);
+    overlay.text.add(font, x, y, shortened(items[i].text, font.letters(right - x)), palette::kInk);
   }
+  if (shown < items.size())
+    overlay.text.add(font, spots.back().x, y_of(spots.back()), flow::kMore, palette::kInk);
 }
 
-template PaneLines pane_lines(const StructurePane<2>&, bool, std::size_t);
-template PaneLines pane_lines(const StructurePane<3>&, bool, std::size_t);
-template std::string panes_title(const PanesFrame<2>&);
-template std::string panes_title(const PanesFrame<3>&);
+template PaneLines pane_lines(const StructurePane<2>&, bool, const PaneRoom&);
+template PaneLines pane_lines(const StructurePane<3>&, bool, const PaneRoom&);
+template std::vector<std::string> panes_title(const PanesFrame<2>&, std::size_t);
+template std::vector<std::string> panes_title(const PanesFrame<3>&, std::size_t);
 
 }  // namespace kerf

@@ -9,19 +9,25 @@
 
 namespace kerf {
 
+/// The room for the words of a pane, one line at least.
+struct PaneRoom {
+  std::size_t letters = 1;
+  std::size_t lines = 1;
+};
+
 /// The lines above a pane: what it is, its numbers in places that do not move in a film, and faint what
-/// cannot be seen.
+/// cannot be seen. "..." stands for what has no room.
 struct PaneLines {
   std::vector<std::string> plain;
   std::vector<std::string> faint;
   [[nodiscard]] std::size_t size() const { return plain.size() + faint.size(); }
 };
 template <int D>
-PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters);
+PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, const PaneRoom& room);
 
-/// The line above all panes.
+/// The lines above all panes.
 template <int D>
-std::string panes_title(const PanesFrame<D>& frame);
+std::vector<std::string> panes_title(const PanesFrame<D>& frame, std::size_t letters);
 
 /// What the colours and lines of panes mean.
 struct PanesLegend {
@@ -34,7 +40,7 @@ struct PanesLegend {
 };
 /// The lines that it takes at that width.
 int legend_lines(const PanesLegend& legend, const Font& font, int width);
-/// Draws it with its top left corner at (0, top).
+/// Draws it with its top left corner at (0, top), as far as it has room below.
 void draw_panes_legend(const PanesLegend& legend, const View& view, const Font& font, int top, double scale,
                        Overlay& overlay);
 

@@ -99,7 +99,11 @@ struct PanesRenderer<D>::State {
     const int pad = flow::padding(font);
     if (above > 0) {
       band(0, above);
-      overlay.text.add(font, pad, pad, panes_title(frame), palette::kInk);
+      int y = pad;
+      for (const std::string& line : title_of(frame)) {
+        overlay.text.add(font, pad, y, line, palette::kInk);
+        y += font.line_height();
+      }
     }
     if (below > 0) {
       band(options.height - below, below);
@@ -156,7 +160,7 @@ struct PanesRenderer<D>::State {
     if (frame.has_strips)
       draw_axis_strips<D>(view, font, scene, frame.bounds, pane.parts.lists, frame.bodies, overlay);
     const int pad = flow::padding(font);
-    const PaneLines lines = pane_lines(pane, frame.is_timed, letters(grid));
+    const PaneLines lines = pane_lines(pane, frame.is_timed, room_of(grid));
     int y = pad;
     const auto write = [&](const std::vector<std::string>& words, Color color) {
       for (const std::string& line : words) {
@@ -172,15 +176,26 @@ struct PanesRenderer<D>::State {
     painter.draw(overlay.text, view);
   }
 
-  [[nodiscard]] std::size_t letters(const PaneGrid& grid) const {
-    return static_cast<std::size_t>(std::max(1, (grid.width - 2 * flow::padding(font)) / font.advance()));
+  [[nodiscard]] std::size_t letters(int width) const {
+    return std::max<std::size_t>(1, font.letters(width - 2 * flow::padding(font)));
+  }
+  /// So many lines are a part of a height: the scene has the rest.
+  [[nodiscard]] int most_lines(double part, int height) const {
+    return std::max(1, static_cast<int>(part * height) / font.line_height());
+  }
+  [[nodiscard]] PaneRoom room_of(const PaneGrid& grid) const {
+    constexpr double kHeadShare = 0.4;
+    return {letters(grid.width), static_cast<std::size_t>(most_lines(kHeadShare, grid.height))};
+  }
+  [[nodiscard]] std::vector<std::string> title_of(const PanesFrame<D>& frame) const {
+    return panes_title(frame, letters(options.width));
   }
 
   /// The same in all panes, so that one camera shows the same in each.
   [[nodiscard]] Viewport scene_of(const PanesFrame<D>& frame, const PaneGrid& grid) const {
     std::size_t lines = 0;
     for (const StructurePane<D>& pane : frame.panes)
-      lines = std::max(lines, pane_lines(pane, frame.is_timed, letters(grid)).size());
+      lines = std::max(lines, pane_lines(pane, frame.is_timed, room_of(grid)).size());
     const int head = has(Layer::caption) ? band_height(static_cast<int>(lines)) : 0;
     const StripRoom room = frame.has_strips ? strip_room(D, font) : StripRoom{};
     return {room.left, double(head), grid.width - room.left, grid.height - head - room.bottom};
@@ -250,8 +265,11 @@ struct PanesRenderer<D>::State {
       throw std::invalid_argument("the panes have no room in the picture");
     context->make_current();
     const PanesLegend legend = legend_of(frame, options.layers);
-    const int above = has(Layer::caption) ? band_height(1) : 0;
-    const int below = has(Layer::legend) ? band_height(legend_lines(legend, font, options.width)) : 0;
+    constexpr double kLegendShare = 0.22;
+    const int above = has(Layer::caption) ? band_height(static_cast<int>(title_of(frame).size())) : 0;
+    const int legend_rows =
+        std::min(legend_lines(legend, font, options.width), most_lines(kLegendShare, options.height));
+    const int below = has(Layer::legend) ? band_height(legend_rows) : 0;
     const int columns = frame.columns > 0 ? frame.columns
                                           : choose_columns(options.width, options.height, frame.panes.size(),
                                                            aspect_of(frame.bounds));

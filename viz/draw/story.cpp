@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "viz/draw/icicle.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 
@@ -41,8 +42,8 @@ StoryPlaces places_of(const View& view, const Font& font) {
   return places;
 }
 
-/// As much of the text as has room, in lines between words.
-std::vector<std::string> wrapped(const Font& font, const std::string& text, double width) {
+/// As much of the text as has room in so many lines, in whole words; the last line says that there is more.
+std::vector<std::string> wrapped(const Font& font, const std::string& text, double width, int most) {
   std::vector<std::string> lines{""};
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t space = std::min(text.find(' ', begin), text.size());
@@ -54,16 +55,27 @@ std::vector<std::string> wrapped(const Font& font, const std::string& text, doub
       lines.back() = longer;
     begin = space + 1;
   }
+  const auto room = static_cast<std::size_t>(std::max(1, most));
+  if (lines.size() > room) {
+    lines.resize(room);
+    lines.back() += " ...";
+  }
+  for (std::string& line : lines) line = shortened(line, font.letters(static_cast<int>(width)));
   return lines;
 }
 
 void draw_words(const Font& font, const StoryPlaces& places, const StoryPanels& panels, Overlay& overlay) {
   const int x = static_cast<int>(places.title.left);
   const int y = static_cast<int>(places.title.top);
-  overlay.text.add(font, x, y, panels.title, palette::kInk);
-  overlay.text.add(font, x + font.width(panels.title + "  "), y, panels.figures, palette::kFaintInk);
+  const int right = static_cast<int>(places.title.width);
+  const std::string title = shortened(panels.title, font.letters(right - x));
+  const int behind = x + font.width(title + "  ");
+  overlay.text.add(font, x, y, title, palette::kInk);
+  overlay.text.add(font, behind, y, shortened(panels.figures, font.letters(right - behind)),
+                   palette::kFaintInk);
   int line = static_cast<int>(places.sentence.top);
-  for (const std::string& words : wrapped(font, panels.sentence, places.sentence.width)) {
+  const int lines = static_cast<int>(places.sentence.height) / font.line_height();
+  for (const std::string& words : wrapped(font, panels.sentence, places.sentence.width, lines)) {
     overlay.text.add(font, x, line, words, palette::kInk);
     line += font.line_height();
   }
@@ -209,9 +221,10 @@ void draw_curves(const View& view, const Font& font, const Viewport& place, cons
     y += line;
     add_rectangle_on_picture(overlay.shapes, view,
                              {place.left, y + 0.4 * line, 1.4 * font.advance(), 0.25 * line}, curve.color);
-    overlay.text.add(font, left + indent, y, curve.name, palette::kInk);
     const auto value = value_at(curve, panels.step);
     const std::string number = value ? with_commas(static_cast<std::uint64_t>(*value)) : "";
+    const int room = static_cast<int>(place.width) - indent - font.width(number + " ");
+    overlay.text.add(font, left + indent, y, shortened(curve.name, font.letters(room)), palette::kInk);
     overlay.text.add(font, left + static_cast<int>(place.width) - font.width(number), y, number,
                      palette::kInk);
   }

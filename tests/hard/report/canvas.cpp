@@ -1,5 +1,7 @@
 #include "tests/hard/report/canvas.h"
 
+#include "viz/draw/letters.h"
+
 namespace kerf::test {
 
 Canvas::Canvas(int width, int height, Color ground) : image_(make_image(width, height)) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viz/draw/flow.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -72,6 +73,59 @@ TEST(Caption, HasTheStepInSmallPicturesToo) {
   overlay.text.keeps_lines = true;
   draw_caption(view, font, layout, items, "", overlay);
   EXPECT_EQ(std::ranges::count(overlay.text.lines, "step", &DrawnText::text), 1);
+}
+
+/// The texts of a picture with that caption and legend, and what of them lies beyond its edges.
+struct Texts {
+  std::vector<std::string> all;
+  std::vector<std::string> cut;
+};
+Texts texts_of(const Caption& of, const std::string& log, int width, int height) {
+  const Font font(font_pixels(height));
+  const auto caption = caption_items(of, true, 3);
+  const auto legend = legend_items(LayerSet::all(), 2, true, "1024+", true);
+  const Layout layout = make_layout(font, width, height, caption, !log.empty(), legend);
+  const View view = frame_all(Box<2>{{{0, 0}}, {{4, 2}}}, {}, layout.scene, width, height);
+  Highlight highlight;
+  highlight.anchor = {1, 1, 0};
+  Overlay overlay;
+  overlay.text.keeps_lines = true;
+  draw_caption(view, font, layout, caption, log_line(font, width, log, {}), overlay);
+  draw_legend(view, font, layout, legend, 1, overlay);
+  draw_highlight_labels(view, font, layout, {highlight}, overlay);
+  Texts texts;
+  for (const DrawnText& line : overlay.text.lines) {
+    texts.all.push_back(line.text);
+    if (line.x < 0 || line.x + font.width(line.text) > width) texts.cut.push_back(line.text);
+  }
+  return texts;
+}
+
+TEST(Caption, IsCutByNoEdgeOfAPicture) {
+  Caption caption = large_caption();
+  caption.scene =
+      "recording_of_a_\xc3\xb6"
+      "ffentliche_scene_with_a_name_that_is_longer_than_a_small_picture";
+  for (const auto& [width, height] : {std::pair{64, 64}, {160, 90}, {240, 180}, {320, 240}, {640, 360}})
+    EXPECT_EQ(texts_of(caption, "a note that is longer than the picture is wide, by far, at each size", width,
+                       height)
+                  .cut,
+              std::vector<std::string>())
+        << width << "x" << height;
+  const Texts texts = texts_of(caption, "", 320, 240);
+  EXPECT_EQ(std::ranges::count_if(texts.all,
+                                  [](const std::string& text) {
+                                    return text.starts_with("recording_of_a_") && text.ends_with("...");
+                                  }),
+            1);
+}
+
+TEST(Caption, AndLegendSayThatTheyHaveMore) {
+  const auto signs = [](int width, int height) {
+    return std::ranges::count(texts_of(large_caption(), "", width, height).all, "...");
+  };
+  EXPECT_EQ(signs(1280, 720), 0);
+  EXPECT_EQ(signs(240, 180), 2) << "one of the caption, one of the legend";
 }
 
 TEST(Caption, OfBoxesAsSuchHasNoEmptyWordAndNoStep) {

@@ -23,8 +23,8 @@ class StoryPicture : public testing::Test {
     tree.assign(&scene.tree());
     const std::vector<StoryCurve> curves{{"each with each", {90, 90, 90}, {1e6F, 1e6F, 1e6F, 1e6F}},
                                          {"our tree", {0, 114, 178}, counts}};
-    const StoryPanels panels{"small", "step 3",    sentence, &tree, 64,
-                             12,      tree.root(), &curves,  3,     {"5000", "5003.5"}};
+    const StoryPanels panels{title, "step 3",    sentence, &tree, 64,
+                             12,    tree.root(), &curves,  3,     {"5000", "5003.5"}};
     renderer.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
       draw_story(view, font, panels, overlay);
     });
@@ -53,6 +53,7 @@ class StoryPicture : public testing::Test {
     return found == texts.rend() ? 0 : found->y;
   }
 
+  std::string title = "small";
   std::vector<float> counts{1000, -1, 4000, 3000};  ///< of the tree
   test::SmallScene<3> scene;
   TreeSnapshotOf<3> tree;
@@ -60,6 +61,22 @@ class StoryPicture : public testing::Test {
   std::vector<DrawnText> texts;
   int font_width = 0;
 };
+
+/// Of a recording with a long name, say.
+TEST_F(StoryPicture, LongTextsSayThatTheyHaveMore) {
+  title = "a_recording_with_a_name_that_is_longer_than_its_picture_is_wide_at_any_size_that_is_usual";
+  draw(640, 360, std::string(60, 'm') + " " + std::string(400, 'w') + " and more and more and more and more");
+  const int right = 640 - story_margins(640, 360).right;
+  int more = 0;
+  for (const DrawnText& text : texts) {
+    if (text.x >= right) continue;
+    EXPECT_LE(text.x + font_width * static_cast<int>(text.text.size()), right) << text.text;
+    EXPECT_LE(text.y + 2 * font_width, 360) << text.text;
+    more += text.text.ends_with("...") ? 1 : 0;
+  }
+  EXPECT_GE(more, 2);
+  EXPECT_EQ(overlapping(), "");
+}
 
 TEST_F(StoryPicture, TextsStayInsideThePictureAndOutOfTheScene) {
   for (const auto& [width, height] :
