@@ -22,6 +22,24 @@ double least_half(const DrawContext<D>& context, double pixels_per_unit) {
   return kPixels * std::max(1.0, context.line_scale) / pixels_per_unit;
 }
 
+/// From the middle of a dot to its rim, in pixels of a picture of 720 rows.
+inline constexpr double kDotPixels = 3;
+
+/// Whether a body is a point to the eye. It is drawn as a dot with a rim: the least shape, two pixels in a
+/// colour of its own, is not found among the colours of leaves.
+template <int D>
+bool is_point(const Box<D>& box, double pixels_per_unit) {
+  constexpr double kPixels = 1.0 / 16;
+  const Vector<D> extent = box.extent();
+  return double{*std::ranges::max_element(extent.value)} * pixels_per_unit < kPixels;
+}
+
+/// The radius of its dot, in units of the scene.
+template <int D>
+double dot_radius(const DrawContext<D>& context, double pixels_per_unit) {
+  return kDotPixels * std::max(1.0, context.line_scale) / pixels_per_unit;
+}
+
 /// A rectangle with its middle in the box's, `half` wide from there to each side, as the body would draw it.
 inline Outline outline_in_box(const Body<2>& body, const Vector<2>& half) {
   Outline outline;

@@ -92,17 +92,39 @@ std::optional<Polygon> near_part(const DrawContext<2>& context, const Body<2>& b
   return Polygon{{from[0], from[1], 0}, {to[0], from[1], 0}, {to[0], to[1], 0}, {from[0], to[1], 0}};
 }
 
+Polygon disc(const Eigen::Vector3d& middle, double radius) {
+  constexpr int kCorners = 12;
+  Polygon polygon;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    polygon.push_back(middle + radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+  }
+  return polygon;
+}
+
+void draw_dot(const DrawContext<2>& context, const Body<2>& body, Color color, Batch& batch) {
+  constexpr double kInside = 0.6;  // of its radius; the rest is the rim
+  const double radius = dot_radius(context, context.view.pixels_per_unit_at_one);
+  const Eigen::Vector3d middle = to_point(body.box.center());
+  add_polygon(batch, context.view, disc(middle, radius), lit(color, 0.45));
+  add_polygon(batch, context.view, disc(middle, kInside * radius), color);
+}
+
 /// Shapes are filled twice, dark and then smaller and light: a rim for the price of one more fan.
 void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) {
   const Body<2>& body = context.input.bodies[object];
   const double pixels = context.view.pixels_per_unit_at_one;
+  const Color color = object_color(context, object);
+  if (is_point(body.box, pixels)) {
+    context.begin(batch, DrawnKind::object, static_cast<std::uint32_t>(object));
+    return draw_dot(context, body, color, batch);
+  }
   const double rim = kRimPixels * context.line_scale;
   const double half = least_half(context, pixels);
   const std::optional<Polygon> near = near_part(context, body, half);
   const std::optional<Shape<2>> least = least_shape(body, half);
   const Polygon polygon = near ? *near : outline(body.pose, least ? *least : body.shape, pixels);
   if (polygon.size() < 3) return;
-  const Color color = object_color(context, object);
   context.begin(batch, DrawnKind::object, static_cast<std::uint32_t>(object));
   const Vector<2> extent = body.box.extent();
   const bool is_large = std::min(extent[0], extent[1]) * pixels > 6 * rim;

@@ -259,12 +259,31 @@ bool draw_patch(const Targets& to, const Body<3>& body, const Shape<3>& shape, C
   return true;
 }
 
+/// A disc that faces the eye, and a smaller one a hair nearer.
+void draw_dot(const Targets& to, const Body<3>& body, Color color) {
+  constexpr double kInside = 0.6;  // of its radius; the rest is the rim
+  const Eigen::Vector4d middle = to.context.view.clip_from_world * to_point(body.box.center()).homogeneous();
+  const double rim = dot_radius(to.context, to.pixels);
+  const auto add_disc = [&](double radius, double nearer, Color of) {
+    std::array<Eigen::Vector4d, static_cast<std::size_t>(kFewestCorners)> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kFewestCorners;
+      corners[i] = middle + radius * (std::cos(angle) * to.facing.right + std::sin(angle) * to.facing.up);
+      corners[i].z() -= nearer * corners[i].w();
+    }
+    to.solid.add_fan(corners, of);
+  };
+  add_disc(rim, 0, lit(color, kEdgeLight));
+  add_disc(kInside * rim, kBeforeEdge, kerf::lit_face(color, to.facing.light));
+}
+
 void draw_body(Targets& to, std::size_t object) {
   const Body<3>& body = to.context.input.bodies[object];
   const Color color = color_of(to.context, object);
   to.pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
+  if (is_point(body.box, to.pixels)) return draw_dot(to, body, color);
   const std::optional<Shape<3>> least = least_shape(body, least_half(to.context, to.pixels));
   const Shape<3>& shape = least ? *least : body.shape;
   if (to.context.brief && draw_patch(to, body, shape, color)) return;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/tree/partitioner.h"
+#include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "tests/viz/debugger/timeline_driver.h"
@@ -88,6 +89,41 @@ TEST(DebuggerOrbit, FramesAllInThePartThatTextLeavesFree) {
           .norm(),
       0, 1e-6)
       << "the first move of the mouse changes nothing else";
+}
+
+/// No ray meets a point.
+template <int D>
+void expect_points_are_found() {
+  std::vector<Body<D>> bodies(3);
+  bodies[0].box = {test::all<D>(-5), test::all<D>(5)};
+  bodies[0].mobility = Mobility::fixed;
+  bodies[1].box = {test::all<D>(1), test::all<D>(1)};
+  bodies[2].box = {test::all<D>(-2), test::all<D>(-2)};
+  Orbit<D> orbit;
+  orbit.set_box(bodies[0].box);
+  const View view = orbit.view(640, 480);
+  for (const std::uint32_t id : {1U, 2U}) {
+    const Eigen::Vector2d there = *view.project(to_point(bodies[id].box.center()));
+    for (const Eigen::Vector2d& aside : {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, -2)})
+      EXPECT_EQ(pick_object<D>(bodies, view, there + aside), ObjectId{id});
+    EXPECT_EQ(pick_object<D>(bodies, view, there + Eigen::Vector2d(12, 0)), ObjectId{0});
+    EXPECT_EQ(pick_object<D>(bodies, view, there + Eigen::Vector2d(8, 0), 2), ObjectId{id})
+        << "a fine display";
+  }
+  bodies[0].mobility = Mobility::moving;
+  EXPECT_EQ(pick_object<D>(bodies, view, *view.project(to_point(bodies[1].box.center()))),
+            ObjectId{D == 2 ? 1U : 0U})
+      << "in 3D it lies within the other one";
+}
+TEST(DebuggerPick, FindsPointsIn2D) { expect_points_are_found<2>(); }
+TEST(DebuggerPick, FindsPointsIn3D) { expect_points_are_found<3>(); }
+
+TEST(DebuggerOrbit, LooksAtAPointFromAsFarAsAtASmallObject) {
+  Orbit<2> orbit;
+  orbit.set_box({{{-5, 0}}, {{5, 4}}});
+  orbit.look_at({{{1, 1}}, {{1, 1}}}, 640, 480);
+  EXPECT_GT(*orbit.choice().width, 0.5);
+  EXPECT_LT(*orbit.choice().width, 2);
 }
 
 TEST(DebuggerOrbit, LooksAtABox) {

@@ -85,7 +85,10 @@ void Orbit<D>::zoom(double clicks, double x, double y, int width, int height) {
 template <int D>
 void Orbit<D>::look_at(const Box<D>& box, int width, int height) {
   settle(width, height);
-  const double size = std::max(1e-3, (to_point(box.max) - to_point(box.min)).norm());
+  constexpr double kAroundPoint = 0.02;  // of what is framed: a point has no size to go by
+  const double whole = (to_point(box_.max) - to_point(box_.min)).norm();
+  const double own = (to_point(box.max) - to_point(box.min)).norm();
+  const double size = std::max(1e-3, own < 1e-9 * whole ? kAroundPoint * whole : own);
   if constexpr (D == 3) {
     choice_.target = to_point(box.center());
     choice_.distance = 2.5 * size;

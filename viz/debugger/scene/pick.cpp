@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kNearLine = 5;   // pixels
 constexpr double kPairReach = 4;  // pixels from its line at which a pair is found
+constexpr double kDotSize = 2;    // pixels of an object that need not be met,
+constexpr double kDotReach = 5;   // and those from its middle at which it is found
 constexpr double kBehindAll = 1e30;
 constexpr double kFar = std::numeric_limits<double>::max();
 
@@ -69,10 +71,31 @@ std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, c
   return there > 0 && distance_to(point, sides_of(tree, id)) ? std::optional(there) : std::nullopt;
 }
 
+/// The object nearest to a pixel among those that are hardly larger than one: a point is met by no ray.
+template <int D>
+std::optional<ObjectId> dot_at(std::span<const Body<D>> bodies, const View& view,
+                               const Eigen::Vector2d& pixel, double scale) {
+  std::optional<ObjectId> best;
+  double nearest = kDotReach * scale;
+  for (std::uint32_t id = 0; id < bodies.size(); ++id) {
+    if (!is_drawable(bodies[id])) continue;
+    const Vector<D> extent = bodies[id].box.extent();
+    const Eigen::Vector3d middle = to_point(bodies[id].box.center());
+    const double size = *std::ranges::max_element(extent.value) * view.pixels_per_unit(middle);
+    const auto seen = view.project(middle);
+    if (!seen || size > kDotSize * scale || (pixel - *seen).norm() > nearest) continue;
+    nearest = (pixel - *seen).norm();
+    best = ObjectId{id};
+  }
+  return best;
+}
+
 }  // namespace
 
 template <int D>
-std::optional<ObjectId> pick_object(const SightRay& ray, std::span<const Body<D>> bodies) {
+std::optional<ObjectId> pick_object(std::span<const Body<D>> bodies, const View& view,
+                                    const Eigen::Vector2d& pixel, double scale) {
+  const SightRay ray = ray_through(view, pixel.x(), pixel.y());
   std::optional<ObjectId> best;
   double nearest = kFar;
   for (std::uint32_t id = 0; id < bodies.size(); ++id) {
@@ -87,7 +110,9 @@ std::optional<ObjectId> pick_object(const SightRay& ray, std::span<const Body<D>
     nearest = rank;
     best = ObjectId{id};
   }
-  return best;
+  if (D == 3 && best && bodies[best->index()].mobility == Mobility::moving) return best;
+  const auto dot = dot_at(bodies, view, pixel, scale);
+  return dot ? dot : best;
 }
 
 template <int D>
@@ -133,8 +158,10 @@ template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const
                                           const Eigen::Vector2d&, double);
 template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
                                           const Eigen::Vector2d&, double);
-template std::optional<ObjectId> pick_object<2>(const SightRay&, std::span<const Body<2>>);
-template std::optional<ObjectId> pick_object<3>(const SightRay&, std::span<const Body<3>>);
+template std::optional<ObjectId> pick_object<2>(std::span<const Body<2>>, const View&, const Eigen::Vector2d&,
+                                                double);
+template std::optional<ObjectId> pick_object<3>(std::span<const Body<3>>, const View&, const Eigen::Vector2d&,
+                                                double);
 template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);
 template std::optional<NodeId> pick_node<3>(const PickableTree<3>&, const View&, double, double);
 

@@ -10,9 +10,12 @@
 
 namespace kerf {
 
-/// The object that a ray meets: in 3D the nearest, in 2D the smallest; a moving one if there is any.
+/// The object at a pixel: in 3D the nearest, in 2D the smallest; a moving one if there is any. One that is
+/// hardly larger than a pixel counts within a few pixels, more on a fine display: `scale`; in 3D where no
+/// other moves.
 template <int D>
-std::optional<ObjectId> pick_object(const SightRay& ray, std::span<const Body<D>> bodies);
+std::optional<ObjectId> pick_object(std::span<const Body<D>> bodies, const View& view,
+                                    const Eigen::Vector2d& pixel, double scale = 1);
 
 /// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it, more on a
 /// fine display: `scale`.

@@ -349,7 +349,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   if (!seen_) return {};
   const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
   if (objects)
-    if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
+    if (const auto object = pick_object<D>(bodies_, seen_->view, {x, y}, look.scale)) return *object;
   if (seen_->settings.theirs) return {};
   const auto node =
       pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale, crowds_}, seen_->view, x, y);
