@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "frames/diff/diff_page_parts.h"
+#include "frames/page/json.h"
 #include "frames/page/page.h"
 #include "frames/sequence/draw_list_file.h"
 #include "frames/support/base64.h"
@@ -43,14 +44,41 @@ std::optional<Image> try_read(const std::filesystem::path& path) {
   }
 }
 
-std::string id_panel(const FramePair& frame) {
+/// The names of the items that are seen, by number.
+Json names_of(const FrameIds& ids) {
+  std::vector<bool> is_seen(ids.list.items.size() + 1);
+  for (std::size_t i = 0; i < ids.image.rgba.size(); i += 4)
+    if (const std::uint32_t item = item_of(ids.image.rgba.data() + i); item < is_seen.size())
+      is_seen[item] = true;
+  Json names = Json::object();
+  for (std::size_t item = 1; item < is_seen.size(); ++item)
+    if (is_seen[item]) names[std::to_string(item)] = name_of(ids.list.items[item - 1]);
+  return names;
+}
+
+/// An id image for the page's script: its colours are numbers.
+std::string hidden_ids(const FrameIds& ids, const std::string& side) {
+  return "<img hidden alt=\"" + side + "\" data-names=\"" + escaped(json_text(names_of(ids), -1)) +
+         "\" src=\"data:image/png;base64," + base64(encode_png(ids.image)) + "\">\n";
+}
+
+/// What the ids of a frame add to the page.
+struct IdParts {
+  std::string panel;   ///< one of the panels
+  std::string hidden;  ///< from which the script says what lies where; behind the panels
+};
+
+IdParts id_parts(const FramePair& frame) {
   try {
     const auto a = read_ids(frame.reference);
     const auto b = read_ids(frame.test);
-    if (!a || !b) return "";
-    return picture(id_difference(a->ids, b->ids), "ids: red gone, blue come, violet changed", "ids");
+    if (!a || !b) return {};
+    return {picture(id_difference(a->ids, b->ids), "ids: red gone, blue come, violet changed, grey the same",
+                    "ids"),
+            "<p class=\"under\">Point at a picture: here stands what lies there.</p>\n" +
+                hidden_ids(a->ids, "reference") + hidden_ids(b->ids, "new")};
   } catch (const std::exception&) {
-    return "";
+    return {};
   }
 }
 
@@ -58,14 +86,15 @@ std::string panels(const FrameDiff& diff) {
   const std::optional<Image> reference = try_read(diff.frame.reference);
   const std::optional<Image> test = try_read(diff.frame.test);
   std::string text = "<div class=\"panels\">\n";
+  IdParts ids;
   if (test) text += picture(*test, reference ? "new, or the reference while pointed at" : "new", "new");
   if (reference) text += picture(*reference, "reference", "reference");
   if (reference && test && diff.trouble.empty()) {
     text +=
         picture(heat_map(flip_errors(*reference, *test)), "FLIP, from black (none) to yellow (1)", "heat");
-    text += id_panel(diff.frame);
+    ids = id_parts(diff.frame);
   }
-  return text + "</div>\n<div class=\"lenses\" hidden></div>\n";
+  return text + ids.panel + "</div>\n" + ids.hidden + "<div class=\"lenses\" hidden></div>\n";
 }
 
 std::string list(const std::vector<std::string>& lines) {

@@ -18,6 +18,7 @@ code{background:#eeeee9;padding:.3rem .6rem;border-radius:3px;user-select:all}
 .lenses{margin-top:.6rem}.lenses[hidden]{display:none}
 figure{margin:0}figcaption{color:#555;font-size:.85rem}
 img{display:block;width:100%;border:1px solid #d8d8d2;cursor:crosshair;box-sizing:border-box}
+img[hidden]{display:none}.under{margin:.4rem 0;color:#555;font-size:.85rem}
 .lens{height:180px;border:1px solid #d8d8d2;overflow:hidden;position:relative;image-rendering:pixelated;background-repeat:no-repeat}
 .lens::after{content:"";position:absolute;left:50%;top:50%;width:8px;height:8px;margin:-4px;outline:1px solid #d00060}
 button{font:inherit;font-size:.85rem;border:1px solid #c8c8c2;background:#fff;border-radius:3px;cursor:pointer}
@@ -26,6 +27,29 @@ button{font:inherit;font-size:.85rem;border:1px solid #c8c8c2;background:#fff;bo
 
 inline constexpr std::string_view kDiffPageFoot = R"(<script>
 const kZoom = 8;
+// The numbers of the items at each pixel, of the reference and of the new picture.
+function itemsOf(section) {
+  section.items ??= [...section.querySelectorAll("img[data-names]")].map(image => {
+    const canvas = document.createElement("canvas");
+    const width = canvas.width = image.naturalWidth, height = canvas.height = image.naturalHeight;
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = context.getImageData(0, 0, width, height).data;
+    return {side: image.alt, names: JSON.parse(image.dataset.names), width, pixels};
+  });
+  return section.items;
+}
+function nameAt({side, names, width, pixels}, x, y) {
+  const at = 4 * (y * width + x);
+  const item = pixels[at] * 65536 + pixels[at + 1] * 256 + pixels[at + 2];
+  return `${side} ${item === 0 ? "ground" : names[item]}`;
+}
+function sayWhatIsAt(section, x, y) {
+  const under = section.querySelector(".under");
+  if (!under) return;
+  const names = itemsOf(section).map(items => nameAt(items, x, y));
+  under.textContent = `(${x}, ${y}): ${names.join(", ")}`;
+}
 function showLenses(section, x, y) {
   const lenses = section.querySelector(".lenses");
   const images = [...section.querySelectorAll(".panels img")];
@@ -44,6 +68,7 @@ function showLenses(section, x, y) {
     lens.style.backgroundPosition = `${left}px ${top}px`;
     lens.title = `(${x}, ${y})`;
   });
+  sayWhatIsAt(section, x, y);
 }
 for (const section of document.querySelectorAll("section")) {
   for (const image of section.querySelectorAll(".panels img")) {

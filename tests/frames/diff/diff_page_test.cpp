@@ -81,8 +81,9 @@ TEST_F(DiffPage, ShowsEverythingWithoutAnythingFromElsewhere) {
   EXPECT_EQ(sight.trouble, "");
   EXPECT_THAT(sight.console, IsEmpty());
   for (const std::string& resource : sight.resources) EXPECT_THAT(resource, HasSubstr("data:"));
-  EXPECT_EQ(sight.images.size(),
-            4U + 1U + 1U);  // new, reference, heat and ids of one; one each of the others
+  EXPECT_EQ(
+      sight.images.size(),
+      4U + 2U + 1U + 1U);  // new, reference, heat and ids of one, and its two id images; one of each other
   EXPECT_THAT(sight.images, Each(kWidth));
   EXPECT_TRUE(sight.fits);
   const std::string text = test::read_text(page());
@@ -115,6 +116,28 @@ TEST_F(DiffPage, PointingSwapsAndMagnifies) {
   EXPECT_EQ(sight.trouble, "");
   EXPECT_THAT(sight.console, IsEmpty());
   EXPECT_EQ(sight.answer, "differs, swapped, 4 lenses at (38, 0) zoomed to 512px 320px, back, moved");
+}
+
+/// The colours of ids are numbers, which nobody can read.
+TEST_F(DiffPage, PointingNamesWhatLiesThere) {
+  (void)diff({"--report", page().parent_path()});
+  const Sight sight = look_at(page(), R"js(
+    const section = document.querySelector("section"), under = section.querySelector(".under");
+    const words = [under.textContent], image = section.querySelector(".ids img");
+    const box = image.getBoundingClientRect();
+    for (const [x, y] of [[11, 15], [14, 15], [23, 15], [2, 2]]) {
+      const place = {clientX: box.left + (x + 0.5) / image.naturalWidth * box.width,
+                     clientY: box.top + (y + 0.5) / image.naturalHeight * box.height};
+      image.dispatchEvent(new MouseEvent("mousemove", place));
+      words.push(under.textContent);
+    }
+    return words.join("; ");)js");
+  EXPECT_EQ(sight.trouble, "");
+  EXPECT_THAT(sight.console, IsEmpty());
+  EXPECT_EQ(sight.answer,
+            "Point at a picture: here stands what lies there.; (11, 15): reference plane n17, new ground; "
+            "(14, 15): reference plane n17, new plane n17; (23, 15): reference ground, new plane n17; "
+            "(2, 2): reference ground, new ground");
 }
 
 TEST_F(DiffPage, ApprovingTouchesOnlyWhatFailed) {
