@@ -17,7 +17,7 @@ std::string short_value(const std::optional<double>& value) {
   return number_text(std::round(*value * 1000) / 1000, 5);
 }
 
-/// Where a lane's values are, in pixels.
+/// Where a lane's values are, in units of the panels.
 struct LaneBand {
   float top = 0;
   float height = 0;
@@ -35,8 +35,8 @@ void draw_curve(const Lane& lane, const LaneBand& band, const TimeAxis& axis, Im
   for (std::size_t k = 0, end = 0; k < columns.size(); k = end) {
     for (end = k + 1; end < columns.size() && columns[k] == columns[end];) ++end;
     if (columns[k].is_absent() || (filled && columns[k].greatest <= 0)) continue;
-    const float left = axis.left + static_cast<float>(k);
-    const float right = axis.left + static_cast<float>(end);
+    const float left = axis.x_of_column(k);
+    const float right = axis.x_of_column(end);
     const float high = band.y_of(columns[k].greatest);
     const float low = filled ? band.bottom() : std::max(band.y_of(columns[k].least), high + 1.5F);
     list.AddRectFilled({left, high}, {right, low}, color);

@@ -12,9 +12,9 @@ void draw_whole_run(const PanelContext& context, const TimeAxis& whole, float to
   const auto& columns = lane.columns(whole.scale.window, whole.columns());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].is_absent() || scale <= 0) continue;
-    const float x = whole.left + static_cast<float>(k);
     const float height = std::clamp(columns[k].greatest / scale, 0.0F, 1.0F) * (kTimelineRow - 2);
-    list.AddRectFilled({x, bottom - height}, {x + 1, bottom}, widgets::to_imgui(palette::kFaintInk, 0.6));
+    list.AddRectFilled({whole.x_of_column(k), bottom - height}, {whole.x_of_column(k + 1), bottom},
+                       widgets::to_imgui(palette::kFaintInk, 0.6));
   }
 }
 

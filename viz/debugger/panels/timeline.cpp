@@ -86,7 +86,7 @@ void draw_timeline(PanelContext& context) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const DebuggerModel& model = context.model;
   const float width = std::floor(std::max(50.0F, room.x - kTimelineNames - 3 * kTimelineValue - 4));
-  const TimeAxis axis{origin.x + kTimelineNames, {model.timeline.window, double{width}}};
+  const TimeAxis axis{origin.x + kTimelineNames, {model.timeline.window, double{width}}, context.gui.scale()};
   const float lanes = room.y - 5 * kTimelineRow - 4;
   const float y = origin.y + kTimelineRow + draw_lanes(context, axis, origin.y + kTimelineRow, lanes) + 1;
   draw_event_row_of_time(context, axis, y);

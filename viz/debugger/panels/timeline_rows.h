@@ -13,10 +13,15 @@ inline constexpr float kTimelineRow = 15;     ///< height of a row of text
 struct TimeAxis {
   float left = 0;
   TimeScale scale;
+  double fineness = 1;  ///< pixels of a unit, each with a column of its own
 
   [[nodiscard]] float width() const { return static_cast<float>(scale.width); }
   [[nodiscard]] float right() const { return left + width(); }
-  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(scale.width); }
+  [[nodiscard]] std::size_t columns() const { return static_cast<std::size_t>(scale.width * fineness); }
+  /// The left end of a column.
+  [[nodiscard]] float x_of_column(std::size_t k) const {
+    return left + static_cast<float>(scale.width * static_cast<double>(k) / static_cast<double>(columns()));
+  }
   [[nodiscard]] float x_of(double time) const { return left + static_cast<float>(scale.x_of(time)); }
   [[nodiscard]] double time_at(float x) const { return scale.time_at(double{x - left}); }
   [[nodiscard]] bool has(double time) const {
@@ -34,7 +39,7 @@ void for_each_stretch(const TimeAxis& axis, ValueOf value_of, Draw draw) {
   for (std::size_t k = 0; k <= columns; ++k) {
     const int value = k < columns ? value_of(axis.scale.window.column(k, columns)) : 0;
     if (value == last) continue;
-    if (last != 0) draw(axis.left + static_cast<float>(begin), axis.left + static_cast<float>(k), last);
+    if (last != 0) draw(axis.x_of_column(begin), axis.x_of_column(k), last);
     last = value;
     begin = k;
   }
