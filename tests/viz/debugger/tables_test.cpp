@@ -49,6 +49,19 @@ TEST_F(DebuggerTables, FiguresOfNodesAreThoseOfTheTree) {
   EXPECT_EQ(figure(table, find_rows(table, "n0", {})[0], "cost"), cost);
 }
 
+/// Figures of a narrow table were cut anywhere: 3676.5 read as 36 or as 3676.
+TEST_F(DebuggerTables, WhatIsCutSaysSo) {
+  EXPECT_EQ(driver().play("click \"tab Tables\"\ndrag \"divider right\" 1099,300\nwait 2"), "");
+  const FigureTable table = table_of_nodes(run());
+  std::size_t cut = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (std::size_t column = 1; column < table.columns.size(); ++column)
+      for (std::size_t letters = 0; letters < cell_text(table, row, column).size(); ++letters)
+        cut += driver().debugger().gui().find(cell_text(table, row, column).substr(0, letters) + "...") ? 1U
+                                                                                                        : 0U;
+  EXPECT_GT(cut, 0U);
+}
+
 TEST_F(DebuggerTables, FiguresOfObjectsAreThoseOfTreeAndPairs) {
   const FigureTable table = table_of_objects(run());
   EXPECT_EQ(table.rows.size(), run().objects());

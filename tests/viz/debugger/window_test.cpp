@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
 #include "tests/support/default_window.h"
 #include "tests/viz/debugger/timeline_driver.h"
@@ -198,6 +200,52 @@ TEST_F(WindowOfDebugger, AScaleOfTwoIsTheSamePictureTwiceAsFine) {
     EXPECT_NEAR(now.width, place.width, 1) << name;
   }
   EXPECT_LT(mean_difference(coarse, halved(debugger().picture())), 4);
+}
+
+/// How often a curve of the timeline begins or ends at each second pixel and at the others.
+std::array<int, 2> count_edges(const Image& picture, const PanelArea& lanes, int scale) {
+  constexpr int kClear = 60;  // the lines of the ruler are fainter
+  std::array<int, 2> edges{};
+  const auto first = static_cast<int>(lanes.x) * scale;
+  for (int y = static_cast<int>(lanes.y) * scale; y < static_cast<int>(lanes.bottom()) * scale; ++y)
+    for (int x = first + 1; x < static_cast<int>(lanes.right()) * scale; ++x) {
+      const std::uint8_t* const a = picture.pixel(x - 1, y);
+      const std::uint8_t* const b = picture.pixel(x, y);
+      const int step = std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+      if (step > kClear) ++edges[static_cast<std::size_t>((x - first) % 2)];
+    }
+  return edges;
+}
+
+TEST(ScaleOfTheTimeline, IsThatOfTheDisplay) {
+  TimelineDriver driver(240);
+  driver.debugger().set_content_scale(2);
+  EXPECT_EQ(driver.play("hover 10,600\nwait 2\nexpect scale == 2", 2560, 1440), "");
+  const auto lanes = driver.debugger().gui().find("scrubber");
+  ASSERT_TRUE(lanes);
+  const auto [even, odd] = count_edges(driver.debugger().picture(), *lanes, 2);
+  EXPECT_GT(even, 500);
+  EXPECT_GT(2 * odd, even) << "columns of curves are two pixels wide";
+}
+
+/// A slider's usual grab lay over its text.
+TEST_F(WindowOfDebugger, TheTextOfASliderIsFree) {
+  for (const double speed : {2.0, 25.0, 80.0, 200.0}) {
+    SCOPED_TRACE(speed);
+    debugger().model().speed = speed;
+    EXPECT_EQ(play("hover 10,600\nwait 2"), "");
+    const PanelArea slider = area("speed");
+    const Image& picture = debugger().picture();
+    int blue = 0;
+    for (int y = static_cast<int>(slider.y) + 2; y < static_cast<int>(slider.bottom()); ++y)
+      for (int x = static_cast<int>(slider.x) + 3; x < static_cast<int>(slider.right()) - 3; ++x) {
+        const std::uint8_t* const pixel = picture.pixel(x, y);
+        const bool is_blue = pixel[2] - pixel[0] > 30;
+        blue += is_blue ? 1 : 0;
+        EXPECT_TRUE(!is_blue || y >= static_cast<int>(slider.bottom()) - 4) << x << ", " << y;
+      }
+    EXPECT_GT(blue, 3) << "it shows its value";
+  }
 }
 
 TEST_F(WindowOfDebugger, AtEachScaleAllTabsFit) {

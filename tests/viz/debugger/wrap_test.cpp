@@ -20,5 +20,10 @@ TEST(Wrap, LinesAndIndentsAreKept) {
   EXPECT_EQ(wrap_at_spaces("abc", 0), "a\nb\nc");
 }
 
+TEST(Wrap, CountsLettersAndHalvesNone) {
+  EXPECT_EQ(wrap_at_spaces("\xc3\xa4\xc3\xb6\xc3\xbc \xc3\x9f", 5), "\xc3\xa4\xc3\xb6\xc3\xbc \xc3\x9f");
+  EXPECT_EQ(wrap_at_spaces("\xc3\xa4\xc3\xb6\xc3\xbc", 2), "\xc3\xa4\xc3\xb6\n\xc3\xbc");
+}
+
 }  // namespace
 }  // namespace kerf

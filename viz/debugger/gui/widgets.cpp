@@ -4,8 +4,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viz/debugger/gui/wrap.h"
+#include "viz/draw/letters.h"
 #include "viz/draw/palette.h"
 
 namespace kerf::widgets {
@@ -39,10 +41,50 @@ bool checkbox(Gui& gui, const char* label, bool& value, const char* text, const 
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width) {
   ImGui::SetNextItemWidth(width);
   const std::string id = std::string("##") + name;
+  const std::string shown = elided(inside, ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x);
   const bool entered =
-      ImGui::InputTextWithHint(id.c_str(), inside, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint(id.c_str(), shown.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
   gui.name_last_item(name);
+  if (text.empty() && shown != inside) hint(inside);
   return entered;
+}
+
+namespace {
+
+/// The share of a slider's way that lies before its value.
+float share_before(float value, const SliderRange& range) {
+  const float inside = std::clamp(value, range.least, range.most);
+  return range.logarithmic ? std::log(inside / range.least) / std::log(range.most / range.least)
+                           : (inside - range.least) / (range.most - range.least);
+}
+
+void draw_bar(float share) {
+  constexpr float kHeight = 3;
+  constexpr float kAround = 2;
+  const ImVec2 a = ImGui::GetItemRectMin();
+  const ImVec2 b = ImGui::GetItemRectMax();
+  const float way = b.x - a.x - 2 * kAround - ImGui::GetStyle().GrabMinSize;  // of the middle of the grab
+  const float end = a.x + kAround + 0.5F * ImGui::GetStyle().GrabMinSize + share * way;
+  const double alpha = ImGui::IsItemHovered() || ImGui::IsItemActive() ? 1 : 0.7;
+  ImGui::GetWindowDrawList()->AddRectFilled({a.x + kAround, b.y - 1 - kHeight}, {end, b.y - 1},
+                                            to_imgui(palette::kPartitioner, alpha), 1);
+}
+
+}  // namespace
+
+bool slider(Gui& gui, const char* name, float& value, const SliderRange& range, const char* format,
+            float width) {
+  ImGui::SetNextItemWidth(width);
+  for (const ImGuiCol grab : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+    ImGui::PushStyleColor(grab, ImVec4{0, 0, 0, 0});
+  const std::string id = std::string("##") + name;
+  const bool changed =
+      ImGui::SliderFloat(id.c_str(), &value, range.least, range.most, format,
+                         range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  ImGui::PopStyleColor(2);
+  gui.name_last_item(name);
+  if (!ImGui::TempInputIsActive(ImGui::GetItemID())) draw_bar(share_before(value, range));
+  return changed;
 }
 
 void go_on_typing() {
@@ -51,9 +93,13 @@ void go_on_typing() {
 }
 
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
-  const bool is_cut = ImGui::CalcTextSize(label.c_str()).x > ImGui::GetContentRegionAvail().x;
-  const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool is_cut = ImGui::CalcTextSize(label.c_str()).x > room;
+  const bool scrolls = (ImGui::GetCurrentWindow()->Flags & ImGuiWindowFlags_HorizontalScrollbar) != 0;
+  const std::string& shown = is_cut && !scrolls ? elided(label, room) : label;
+  const bool pressed = ImGui::Selectable((shown + "##" + name).c_str(), selected);
   gui.name_last_item(name, label);
+  if (is_cut) gui.note_last_item(shown);
   if (is_cut) hint(wrap_at_spaces(label, kHintColumns).c_str());
   return pressed;
 }
@@ -68,9 +114,16 @@ void wrapped_text(const std::string& text) {
   ImGui::TextUnformatted(wrap_at_spaces(text, static_cast<std::size_t>(std::max(1.0F, columns))).c_str());
 }
 
+void text_within(Gui& gui, const std::string& text, Color color, float width) {
+  const std::string shown = elided(text, width);
+  ImGui::TextColored(to_vector(color), "%s", shown.c_str());
+  if (shown == text) return;
+  gui.note_last_item(shown);
+  hint(wrap_at_spaces(text, kHintColumns).c_str());
+}
+
 std::string elided(const std::string& text, float width) {
-  const auto letters = static_cast<std::size_t>(std::max(3.0F, width / ImGui::CalcTextSize("m").x));
-  return text.size() <= letters ? text : text.substr(0, letters - 3) + "...";
+  return shortened(text, static_cast<std::size_t>(std::max(3.0F, width / ImGui::CalcTextSize("m").x)));
 }
 
 void draw_error_sample(ImVec2 left, Color color) {

@@ -16,14 +16,25 @@ bool button(Gui& gui, const char* label, const char* text = "", const std::strin
 bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "", const std::string& name = "");
 /// A field for one line of text; true when Enter is pressed. `inside` is shown while it is empty.
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
+/// The ends of a slider; `logarithmic`: by the same factor for the same way, from a least above 0.
+struct SliderRange {
+  float least = 0;
+  float most = 1;
+  bool logarithmic = false;
+};
+/// A slider whose text (`format`, as of printf) is free of its grab: that is a bar at the lower edge.
+bool slider(Gui& gui, const char* name, float& value, const SliderRange& range, const char* format,
+            float width);
 /// After a field: when the keys come to it, letters follow its text instead of replacing it.
 void go_on_typing();
-/// A row of a list that can be chosen; if it is cut, a hint has all of it.
+/// A row of a list that can be chosen; if it is cut, it ends with "..." and a hint has all of it.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
 /// Places the next item beside the last one if there is room for so much, else below it.
 void beside_or_below(float width);
 /// Text in as many lines as needed, see `wrap_at_spaces`.
 void wrapped_text(const std::string& text);
+/// As much of a text as fits; if it is cut, it ends with "..." and a hint has all of it.
+void text_within(Gui& gui, const std::string& text, Color color, float width);
 /// The text, ending with "..." if it is wider than that.
 std::string elided(const std::string& text, float width);
 /// Shown when the mouse has rested on the last item for a while.

@@ -3,21 +3,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "viz/draw/letters.h"
+
 namespace kerf {
 namespace {
 
 /// The end of a line that is too long: the last space with a word before it.
 std::size_t end_of_line(std::string_view line, std::size_t columns) {
-  const std::size_t space = line.rfind(' ', columns);
+  const std::size_t end = first_letters(line, columns).size();
+  const std::size_t space = line.rfind(' ', end);
   const bool is_indent = space == std::string_view::npos || line.find_first_not_of(' ') > space;
-  return is_indent ? columns : space;
+  return is_indent ? end : space;
 }
 
 void wrap_line(std::string_view line, std::size_t columns, std::string& out) {
   const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
   const std::string indent(2 * begin < columns ? begin : 0, ' ');
   bool is_first = true;
-  while (line.size() + (is_first ? 0 : indent.size()) > columns) {
+  while (count_letters(line) + (is_first ? 0 : indent.size()) > columns) {
     const std::size_t room = columns - (std::exchange(is_first, false) ? 0 : indent.size());
     const std::size_t end = end_of_line(line, room);
     out += std::string(line.substr(0, end)) + "\n" + indent;

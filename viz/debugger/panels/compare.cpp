@@ -124,7 +124,8 @@ void draw_compare(PanelContext& context) {
   ImGui::SameLine();
   if (widgets::button(context.gui, "change over", "go on in the other run")) return model.change_over();
   ImGui::SameLine();
-  ImGui::TextDisabled("with %s", model.other()->path().filename().c_str());
+  widgets::text_within(context.gui, "with " + model.other()->path().filename().string(), palette::kFaintInk,
+                       ImGui::GetContentRegionAvail().x);
   draw_other_moment(model);
   const RecordingComparison& comparison = model.comparison();
   draw_difference(context, "requests", comparison.requests);

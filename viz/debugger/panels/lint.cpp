@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 
@@ -35,10 +37,9 @@ void draw_lint(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (model.view.theirs) return draw_faults(context);
   ImGui::TextWrapped("%s", "Operators that undo each other, or wait:");
-  ImGui::SetNextItemWidth(120);
-  ImGui::SliderInt("##within", &context.memory.lint_within, 5, 500, "within %d steps",
-                   ImGuiSliderFlags_Logarithmic);
-  context.gui.name_last_item("within");
+  auto within = static_cast<float>(context.memory.lint_within);
+  if (widgets::slider(context.gui, "within", within, {5, 500, true}, "within %.0f steps", 120))
+    context.memory.lint_within = static_cast<int>(std::lround(within));
   const std::vector<Thrash>& found = model.lint(static_cast<std::uint32_t>(context.memory.lint_within));
   ImGui::SameLine();
   ImGui::TextDisabled("%zu found", found.size());

@@ -5,6 +5,7 @@
 #include "core/tree/partitioner.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/debugger/panels/panel_menu.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -94,8 +95,9 @@ void draw_outline(PanelContext& context) {
   const TreeSnapshot& tree = model.run().tree();
   ImGui::TextUnformatted("Tree");
   ImGui::SameLine();
-  ImGui::TextDisabled("%s, %s", counted(tree.leaves(), "leaf", "leaves").c_str(),
-                      counted(model.run().objects(), "object").c_str());
+  const std::string counts =
+      counted(tree.leaves(), "leaf", "leaves") + ", " + counted(model.run().objects(), "object");
+  widgets::text_within(context.gui, counts, palette::kFaintInk, ImGui::GetContentRegionAvail().x - kMenuRoom);
   ImGui::BeginChild("outline", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
   const auto selected = node_in(model.selection());
   const bool is_new = context.memory.outlined != model.selection();

@@ -9,6 +9,9 @@
 
 namespace kerf {
 
+/// The room that the button of a panel's menu takes at the right.
+inline constexpr float kMenuRoom = 18;
+
 /// By which scripts and areas know a panel: "what if".
 std::string panel_name(PanelId panel);
 

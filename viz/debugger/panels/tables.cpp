@@ -5,6 +5,7 @@
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
 
 namespace kerf {
 namespace {
@@ -98,7 +99,8 @@ void draw_table_row(PanelContext& context, std::size_t row) {
   if (node && ImGui::IsItemHovered()) context.memory.hovered_node = *node;
   for (std::size_t column = 1; column < table.columns.size(); ++column) {
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(cell_text(table, row, column).c_str());
+    const float room = ImGui::GetContentRegionAvail().x;
+    widgets::text_within(context.gui, cell_text(table, row, column), palette::kInk, room);
   }
   if (!pressed) return;
   if (!of.wrong_pair) return model.select(of.item);

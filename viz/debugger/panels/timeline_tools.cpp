@@ -1,9 +1,8 @@
+#include "viz/debugger/panels/panel_menu.h"
 #include "viz/debugger/panels/timeline_rows.h"
 
 namespace kerf {
 namespace {
-
-constexpr float kMenu = 18;  // the room of the panel's menu at the right
 
 void draw_zoom(PanelContext& context) {
   DebuggerModel& model = context.model;
@@ -51,8 +50,8 @@ void draw_figures(PanelContext& context) {
   const DebuggerModel& model = context.model;
   const std::string text =
       to_text(figures_of(*model.timeline.range, model.run().rows(), model.lanes()), model.run().names());
-  widgets::beside_or_below(ImGui::CalcTextSize(text.c_str()).x + kMenu);
-  const std::string shown = widgets::elided(text, ImGui::GetContentRegionAvail().x - kMenu);
+  widgets::beside_or_below(ImGui::CalcTextSize(text.c_str()).x + kMenuRoom);
+  const std::string shown = widgets::elided(text, ImGui::GetContentRegionAvail().x - kMenuRoom);
   ImGui::TextUnformatted(shown.c_str());
   context.gui.note_last_item("range figures");
   if (shown != text) widgets::hint(text.c_str());
@@ -61,7 +60,7 @@ void draw_figures(PanelContext& context) {
 void draw_range_tools(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (!model.timeline.range) {
-    const float room = ImGui::GetContentRegionAvail().x - kMenu;
+    const float room = ImGui::GetContentRegionAvail().x - kMenuRoom;
     ImGui::TextDisabled("%s", widgets::elided("Shift and a drag, or S and E: select steps", room).c_str());
     return;
   }

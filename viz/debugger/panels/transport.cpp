@@ -60,10 +60,8 @@ void draw_granularity(PanelContext& context) {
   }
   ImGui::SameLine();
   auto speed = static_cast<float>(context.model.speed);
-  ImGui::SetNextItemWidth(110);
-  if (ImGui::SliderFloat("##speed", &speed, 1, 200, "%.0f steps/s", ImGuiSliderFlags_Logarithmic))
+  if (widgets::slider(context.gui, "speed", speed, {1, 200, true}, "%.0f steps/s", 110))
     context.model.speed = double{speed};
-  context.gui.name_last_item("speed");
   widgets::hint("how fast it plays; a scene has 25 steps in a second");
 }
 
@@ -99,10 +97,8 @@ void draw_runs(PanelContext& context) {
 void draw_message(PanelContext& context, const std::string& message) {
   ImGui::SameLine();
   const Color color = context.model.message_is_error ? palette::kCandidate : palette::kFaintInk;
-  const std::string shown = widgets::elided(message, ImGui::GetContentRegionAvail().x);
-  ImGui::TextColored(widgets::to_vector(color), "%s", shown.c_str());
+  widgets::text_within(context.gui, message, color, ImGui::GetContentRegionAvail().x);
   context.gui.note_last_item("message");
-  if (shown != message) widgets::hint(message.c_str());
 }
 
 /// The present moment in words: the same id as in lists, on the command line and in file names.

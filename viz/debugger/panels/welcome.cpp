@@ -45,7 +45,7 @@ constexpr std::array kQueryRows{
     LegendRow{Mark::framed, palette::kFaintInk, "dashed: bounds of a node that it pruned"},
     LegendRow{Mark::framed, palette::kOperator, "what it found"}};
 
-void draw_mark(const LegendRow& row) {
+void draw_mark(PanelContext& context, const LegendRow& row) {
   constexpr float kWide = 16;
   constexpr float kHigh = 11;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -66,11 +66,11 @@ void draw_mark(const LegendRow& row) {
   }
   ImGui::Dummy({kWide + 6, kHigh});
   ImGui::SameLine(0, 0);
-  ImGui::TextUnformatted(row.text);
+  widgets::text_within(context.gui, row.text, palette::kInk, ImGui::GetContentRegionAvail().x);
 }
 
 void draw_row(PanelContext& context, const LegendRow& row) {
-  draw_mark(row);
+  draw_mark(context, row);
   context.gui.note_last_item(row.text);
 }
 
@@ -128,10 +128,10 @@ void draw_welcome(PanelContext& context) {
       draw_row(context, row);
     for (const LegendRow& row : kLegendRows) draw_row(context, row);
     if (!context.model.view.query.empty())
-      for (const LegendRow& row : kQueryRows) draw_mark(row);
+      for (const LegendRow& row : kQueryRows) draw_mark(context, row);
     if (context.model.run().has_theirs())
       for (const LegendRow& row : kErrorRows) {
-        draw_mark(row);
+        draw_mark(context, row);
         context.gui.name_last_item(row.color == palette::kMissed ? "legend missed" : "legend extra",
                                    row.text);
       }

@@ -60,6 +60,7 @@ void draw_why(PanelContext& context) {
   DebuggerModel& model = context.model;
   const bool nothing = is_nothing(model.selection());
   if (!nothing) {
+    ImGui::AlignTextToFramePadding();
     ImGui::Text("%s", model.run().title(model.selection()).c_str());
     ImGui::SameLine();
     if (widgets::button(context.gui, "deselect", "explain the event instead (Esc)")) model.select({});
