@@ -50,6 +50,7 @@ class SceneFilm final : public Film {
     const auto fixed = static_cast<std::uint32_t>(scene_->bodies().size()) - count_moving(scene_->bodies());
     const std::uint32_t moving =
         request.options.objects == 0 ? entry.default_objects : request.options.objects;
+    planner_.glide();
     planner_.fix_largest_population(end_of_ramp(fixed + moving, request.broad_phase.config));
   }
 

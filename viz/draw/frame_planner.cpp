@@ -35,7 +35,11 @@ std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
 template <int D>
 const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {
   view_box_.update(input.bodies);
-  glide_.go_on(view_box_.box(), view_box_.needed());
+  if (glides_) {
+    glide_.go_on(view_box_.box(), view_box_.needed());
+  } else {
+    glide_.jump(view_box_.box());
+  }
   plan_.bounds = framed();
   plan_.outside = count_outside(input.bodies, plan_.bounds);
   plan_.names_outside |= plan_.outside > 0;

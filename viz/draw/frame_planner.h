@@ -52,6 +52,8 @@ class FramePlanner {
 
   /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void fix_view_box(const Box<D>& box);
+  /// From now on the view goes over to a larger one in several frames: these follow each other in a film.
+  void glide() { glides_ = true; }
   /// From now on the caption says how many bodies lie outside, also if none does.
   void name_outside() { plan_.names_outside = true; }
   /// From now on the ramp of populations ends here.
@@ -67,6 +69,7 @@ class FramePlanner {
   int wanted_samples_;
   ViewBox<D> view_box_;
   GlidingBox<D> glide_;  ///< towards it
+  bool glides_ = false;
   TreeSnapshotOf<D> before_;
   std::vector<Box<D>> crowds_before_;
   Highlights<D> highlights_;

@@ -109,8 +109,7 @@ struct CameraChoice;
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
 /// run and for every number of rasteriser threads.
 ///
-/// The view contains everything seen so far and does not follow single objects: it grows rarely, each time by
-/// more than needed and over several frames.
+/// The view contains everything seen so far and does not follow single objects: it grows in large steps only.
 /// To draw frames out of order (or in several processes), plan them in order with a FramePlanner.
 template <int D>
 class FrameRenderer {

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kFrames = 10;  ///< 0.4 seconds of a film
+constexpr int kFrames = 6;  ///< a quarter of a second of a film
 
 }  // namespace
 

@@ -118,7 +118,7 @@ TEST_F(DiffPage, PointingSwapsAndMagnifies) {
   EXPECT_EQ(sight.answer, "differs, swapped, 4 lenses at (38, 0) zoomed to 512px 320px, back, moved");
 }
 
-/// The colours of ids are numbers, which nobody can read.
+/// The greys of ids are numbers.
 TEST_F(DiffPage, PointingNamesWhatLiesThere) {
   (void)diff({"--report", page().parent_path()});
   const Sight sight = look_at(page(), R"js(

@@ -242,7 +242,7 @@ TEST_F(WindowOfDebugger, TheTextOfASliderIsFree) {
         const std::uint8_t* const pixel = picture.pixel(x, y);
         const bool is_blue = pixel[2] - pixel[0] > 30;
         blue += is_blue ? 1 : 0;
-        EXPECT_TRUE(!is_blue || y >= static_cast<int>(slider.bottom()) - 4) << x << ", " << y;
+        EXPECT_TRUE(!is_blue || y >= static_cast<int>(slider.bottom()) - 2) << x << ", " << y;
       }
     EXPECT_GT(blue, 3) << "it shows its value";
   }

@@ -31,9 +31,9 @@ TYPED_TEST(GlidingBoxTest, GoesOverToALargerBoxInSmallStepsAndComesToRest) {
     const Scalar before = glide.box()->max[0];
     glide.go_on(around<kD>(12), around<kD>(10));
     EXPECT_GT(glide.box()->max[0], before);
-    EXPECT_LE(glide.box()->max[0] - before, 0.25F) << frames;
+    EXPECT_LE(glide.box()->max[0] - before, 0.35F) << frames;
   }
-  EXPECT_EQ(frames, 10);
+  EXPECT_EQ(frames, 6);
 }
 
 TYPED_TEST(GlidingBoxTest, ShowsWhatAFrameNeedsAtOnce) {
@@ -61,6 +61,7 @@ TYPED_TEST(GlidingBoxTest, GoesToABoxElsewhereAtOnce) {
 TYPED_TEST(GlidingBoxTest, AnObjectThatFliesOffMovesTheCameraOfALiveSceneSmoothly) {
   constexpr int kD = TypeParam::value;
   FramePlanner<kD> planner(LayerSet::parse("objects"), 1);
+  planner.glide();
   std::vector<Body<kD>> bodies(6);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     bodies[k].box = test::box_at(test::all<kD>(2 * static_cast<Scalar>(k)), 1);
@@ -81,7 +82,7 @@ TYPED_TEST(GlidingBoxTest, AnObjectThatFliesOffMovesTheCameraOfALiveSceneSmoothl
     before = now;
   }
   EXPECT_GT(before.extent()[0], 15) << "it has grown";
-  EXPECT_LT(most, 0.03F);
+  EXPECT_LT(most, 0.04F);
 }
 
 }  // namespace

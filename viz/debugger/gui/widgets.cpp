@@ -58,16 +58,17 @@ float share_before(float value, const SliderRange& range) {
                            : (inside - range.least) / (range.most - range.least);
 }
 
+/// Below the letters, and those that reach below their line.
 void draw_bar(float share) {
-  constexpr float kHeight = 3;
+  constexpr float kHeight = 2;
   constexpr float kAround = 2;
   const ImVec2 a = ImGui::GetItemRectMin();
   const ImVec2 b = ImGui::GetItemRectMax();
   const float way = b.x - a.x - 2 * kAround - ImGui::GetStyle().GrabMinSize;  // of the middle of the grab
   const float end = a.x + kAround + 0.5F * ImGui::GetStyle().GrabMinSize + share * way;
   const double alpha = ImGui::IsItemHovered() || ImGui::IsItemActive() ? 1 : 0.7;
-  ImGui::GetWindowDrawList()->AddRectFilled({a.x + kAround, b.y - 1 - kHeight}, {end, b.y - 1},
-                                            to_imgui(palette::kPartitioner, alpha), 1);
+  ImGui::GetWindowDrawList()->AddRectFilled({a.x + kAround, b.y - kHeight}, {end, b.y},
+                                            to_imgui(palette::kPartitioner, alpha));
 }
 
 }  // namespace
