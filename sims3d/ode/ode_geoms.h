@@ -20,9 +20,10 @@ namespace kerf {
 /// Geoms of ODE and a broad phase for them, in place of a space: `collide` is dSpaceCollide.
 ///
 /// The geoms are in no space of ODE's (dCreateSphere(nullptr, ...)), and stay the caller's: remove a geom
-/// before it is destroyed. The callback is called for pairs of enabled geoms whose boxes overlap, which are
-/// not of one body, and of which one's category bits meet the other's collide bits: ODE's rules. It must not
-/// add or remove geoms, nor call `collide` again. All calls into ODE are made by the caller's thread.
+/// before it is destroyed. The callback is called for pairs of enabled geoms of some size whose boxes
+/// overlap, which are not of one body, and of which one's category bits meet the other's collide bits: ODE's
+/// rules. It must not add or remove geoms, nor call `collide` again. All calls into ODE are made by the
+/// caller's thread.
 class OdeGeoms {
  public:
   /// Throws std::invalid_argument for options that World refuses.
@@ -61,19 +62,17 @@ class OdeGeoms {
     for (const WorldPair& pair : world_.pairs()) {
       const dGeomID a = members_[pair.a.index()].geom;
       const dGeomID b = members_[pair.b.index()].geom;
-      if (dGeomIsEnabled(a) != 0 && dGeomIsEnabled(b) != 0 && may_touch(a, b) && boxes_touch(a, b))
-        callback(data, a, b);
+      if (takes_part(a) && takes_part(b) && may_touch(a, b) && boxes_touch(a, b)) callback(data, a, b);
     }
   }
-  /// Calls `callback(data, geom, other)` for each enabled geom here that forms a pair with one that is not,
-  /// as dSpaceCollide2(geom, space, data, callback) does: `geom` itself may be disabled. Of a geom that is a
-  /// space, each enabled geom in it is asked for. Looks at the box of each.
+  /// Calls `callback(data, geom, other)` for each geom here that forms a pair with one that is not, as
+  /// dSpaceCollide2(geom, space, data, callback) does: `geom` itself may be disabled or without size. Of a
+  /// geom that is a space, each geom in it is asked for that is neither. Looks at the box of each.
   void collide_with(dGeomID geom, void* data, dNearCallback* callback) const {
     if (dGeomIsSpace(geom) == 0) return collide_one(geom, data, callback);
     const auto space = reinterpret_cast<dSpaceID>(geom);
     for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
-      if (const dGeomID one = dSpaceGetGeom(space, i); dGeomIsEnabled(one) != 0)
-        collide_one(one, data, callback);
+      if (const dGeomID one = dSpaceGetGeom(space, i); takes_part(one)) collide_one(one, data, callback);
   }
 
   /// What stands behind it: the tree, statistics, threads.
@@ -88,9 +87,37 @@ class OdeGeoms {
 
   void collide_one(dGeomID geom, void* data, dNearCallback* callback) const {
     for (const Member& member : members_)
-      if (member.geom != nullptr && member.geom != geom && dGeomIsEnabled(member.geom) != 0 &&
+      if (member.geom != nullptr && member.geom != geom && takes_part(member.geom) &&
           may_touch(geom, member.geom) && boxes_touch(geom, member.geom))
         callback(data, geom, member.geom);
+  }
+
+  /// As a space has it: neither a disabled geom is in a pair, nor one that is without size.
+  static bool takes_part(dGeomID geom) { return dGeomIsEnabled(geom) != 0 && has_size(geom); }
+
+  /// ODE keeps it as a flag that it does not show. A capsule without length is a sphere.
+  static bool has_size(dGeomID geom) {
+    dReal radius = 1;
+    dReal length = 1;
+    dReal length_of_capsule = 0;
+    dVector3 sides = {1, 1, 1};
+    switch (dGeomGetClass(geom)) {
+      case dSphereClass:
+        radius = dGeomSphereGetRadius(geom);
+        break;
+      case dBoxClass:
+        dGeomBoxGetLengths(geom, sides);
+        break;
+      case dCylinderClass:
+        dGeomCylinderGetParams(geom, &radius, &length);
+        break;
+      case dCapsuleClass:
+        dGeomCapsuleGetParams(geom, &radius, &length_of_capsule);
+        break;
+      default:
+        break;
+    }
+    return radius != 0 && length != 0 && sides[0] != 0 && sides[1] != 0 && sides[2] != 0;
   }
 
   static bool may_touch(dGeomID a, dGeomID b) {

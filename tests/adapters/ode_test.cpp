@@ -159,6 +159,46 @@ TEST_F(OdeGeomsTest, OfASpaceFromOutsideEachGeomMeetsWhatItMeetsInASpace) {
   dSpaceDestroy(probe);
 }
 
+/// They were in pairs, and had contacts.
+TEST_F(OdeGeomsTest, GeomsWithoutSizeMeetWhatTheyMeetInASpace) {
+  OdeGeoms geoms;
+  const std::vector<dGeomID> all = {
+      dCreateBox(space_, 4, 4, 4),   dCreateSphere(space_, 0),      dCreateBox(space_, 0, 1, 1),
+      dCreateBox(space_, 1, 0, 1),   dCreateBox(space_, 1, 1, 0),   dCreateCapsule(space_, 0, 1),
+      dCreateCapsule(space_, 1, 0),  dCreateCylinder(space_, 0, 1), dCreateCylinder(space_, 1, 0),
+      dCreateRay(space_, 0),         dCreateSphere(space_, 1),      dCreateCapsule(space_, 1, 1),
+      dCreateCylinder(space_, 1, 1), dCreateBox(space_, 1, 1, 1)};
+  const dGeomID probe = dCreateSphere(nullptr, 0);  // ODE does not ask whether this takes part
+  const dSpaceID outside = dSimpleSpaceCreate(nullptr);
+  dCreateSphere(outside, 0);
+  dCreateSphere(outside, 1);
+  for (const dGeomID geom : all) geoms.add(geom);
+  const auto expect_alike = [&](std::size_t present) {
+    GeomPairs ours;
+    GeomPairs theirs;
+    geoms.collide(&ours, note);
+    dSpaceCollide(space_, &theirs, note);
+    EXPECT_EQ(ours, theirs);
+    EXPECT_EQ(ours.size(), present * (present - 1) / 2);
+    ours.clear();
+    theirs.clear();
+    geoms.collide_with(probe, &ours, note);
+    dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space_), &theirs, note);
+    EXPECT_EQ(ours, theirs);
+    EXPECT_EQ(ours.size(), present);
+    ours.clear();
+    geoms.collide_with(reinterpret_cast<dGeomID>(outside), &ours, note);
+    EXPECT_EQ(ours.size(), present) << "of one of the two";
+  };
+  expect_alike(7);
+  dGeomSphereSetRadius(all[1], 1);
+  dGeomBoxSetLengths(all.back(), 1, 0, 1);
+  dGeomCylinderSetParams(all[7], 1, 1);
+  expect_alike(8);
+  dSpaceDestroy(outside);
+  dGeomDestroy(probe);
+}
+
 TEST_F(OdeGeomsTest, TwoFixedGeomsAreNoPairAndBadOnesAreRefused) {
   OdeGeoms geoms;
   const dGeomID wall = dCreateBox(space_, 1, 1, 1);
