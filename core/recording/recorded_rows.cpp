@@ -142,8 +142,7 @@ RecordedRows read_rows(const Database& recording, const GivenNames& names) {
   return rows;
 }
 
-std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows,
-                                       const GivenNames& names) {
+FollowedChain follow_chain(const Database& recording, const RecordedRows& rows, const GivenNames& names) {
   Chain chain(head_of(recording));
   auto block = rows.blocks.begin();
   auto keyframe = rows.keyframes.begin();
@@ -151,11 +150,12 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   auto shape = rows.shapes.begin();
   for (const StepRow& row : rows.steps) {
     if (chain.add(row) != row.link)
-      return ChangedPart{
-          row.step, row.step == 1
-                        ? "the row of step " + names.step(1) + ", or what the recording says of itself"
-                        : "the row of step " + names.step(row.step) + ", or what was written after step " +
-                              names.step(row.step - 1)};
+      return {ChangedPart{row.step,
+                          row.step == 1
+                              ? "the row of step " + names.step(1) + ", or what the recording says of itself"
+                              : "the row of step " + names.step(row.step) +
+                                    ", or what was written after step " + names.step(row.step - 1)},
+              chain.end()};
     if (block != rows.blocks.end() && block->last_step() == row.step)
       chain.add(Chain::Part::block, block++->seal);
     if (keyframe != rows.keyframes.end() && keyframe->step == row.step)
@@ -168,8 +168,9 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   const auto last = static_cast<std::uint32_t>(rows.steps.size());
   const auto end = read_end(recording);
   if (end && *end != chain.end())
-    return ChangedPart{last, "what was written after step " + names.step(last) + ", the last one"};
-  return std::nullopt;
+    return {ChangedPart{last, "what was written after step " + names.step(last) + ", the last one"},
+            chain.end()};
+  return {std::nullopt, chain.end()};
 }
 
 std::optional<ChangedPart> find_added(const Database& recording, const RecordedRows& rows) {

@@ -57,9 +57,13 @@ struct ChangedPart {
   std::string what;
 };
 
+struct FollowedChain {
+  std::optional<ChangedPart> change;
+  std::uint64_t end = 0;  ///< Chain::end up to the last step, or up to the change
+};
+
 /// Follows the chain of a recording (see Chain) from its head to its end.
-std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows,
-                                       const GivenNames& names);
+FollowedChain follow_chain(const Database& recording, const RecordedRows& rows, const GivenNames& names);
 
 /// A table with rows of no step, which no reader asks for. The recording must be complete: a writer adds rows
 /// before their step.

@@ -73,14 +73,14 @@ RecordingReader<D>::RecordingReader(const std::filesystem::path& path, AsItIs /*
     throw std::runtime_error(path.string() + " is a recording in " + std::to_string(info_.dimension) + "D");
   database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, even while it is being written
   rows_ = read_rows(database_, info_.names);
-  change_ = find_change(database_, rows_, info_.names);
+  chain_ = follow_chain(database_, rows_, info_.names);
   database_.execute("COMMIT");  // written data does not change, and a writer that ends need not wait
 }
 
 template <int D>
 RecordingReader<D>::RecordingReader(const std::filesystem::path& path) : RecordingReader(path, AsItIs{}) {
-  if (change_)
-    throw std::runtime_error(path.string() + " was changed after it was recorded: " + change_->what +
+  if (chain_.change)
+    throw std::runtime_error(path.string() + " was changed after it was recorded: " + chain_.change->what +
                              ", is not what was written; `kerf verify` says more");
 }
 

@@ -47,7 +47,9 @@ class RecordingReader {
   /// Pre: 1 <= step <= steps().
   [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_.steps[step - 1]; }
   /// The place where its rows are no longer as written.
-  [[nodiscard]] const std::optional<ChangedPart>& change() const { return change_; }
+  [[nodiscard]] const std::optional<ChangedPart>& change() const { return chain_.change; }
+  /// The end of its chain: equal for copies of one recording. Two runs differ, since steps have their times.
+  [[nodiscard]] std::uint64_t chain_end() const { return chain_.end; }
   /// See `find_added`.
   [[nodiscard]] std::optional<ChangedPart> added() const;
   /// The step in which an event happened; none if it is beyond the end.
@@ -131,7 +133,7 @@ class RecordingReader {
   Database database_;
   RecordingInfo info_;
   RecordedRows rows_;
-  std::optional<ChangedPart> change_;
+  FollowedChain chain_;
   std::list<Span> spans_;                                ///< latest used first
   mutable std::optional<std::vector<Shape<D>>> shapes_;  ///< none: not read yet
   mutable std::uint32_t theirs_checked_ = 0;  ///< up to this step another engine's rows are as written

@@ -108,7 +108,8 @@ Json origin_json(const RenderRequest& request) {
                {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
   if (request.recording) {
     json["recording"] = {{"steps", request.recording->steps},
-                         {"last_state_hash", to_hex(request.recording->last_state_hash)}};
+                         {"last_state_hash", to_hex(request.recording->last_state_hash)},
+                         {"identity", to_hex(request.recording->identity)}};
   } else {
     json["needs"] = std::visit([](const auto* entry) { return describe(entry->needs); }, request.scene.entry);
   }

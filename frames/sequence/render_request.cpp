@@ -206,7 +206,8 @@ void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) 
 RecordingSource open_source(const std::filesystem::path& path) {
   return with_recording(path, [&](const auto& reader) {
     if (reader->steps() == 0) throw UsageError(path.string() + " has no steps, so there is nothing to draw");
-    return RecordingSource{path, reader->info(), reader->steps(), reader->rows().back().state_hash};
+    return RecordingSource{path, reader->info(), reader->steps(), reader->rows().back().state_hash,
+                           reader->chain_end()};
   });
 }
 

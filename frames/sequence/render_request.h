@@ -59,6 +59,7 @@ struct RecordingSource {
   RecordingInfo info;
   std::uint32_t steps = 0;
   std::uint64_t last_state_hash = 0;
+  std::uint64_t identity = 0;  ///< of what it holds, boxes and another engine's pairs included
 };
 
 /// What to render, every part of it checked.

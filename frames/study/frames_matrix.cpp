@@ -51,7 +51,7 @@ std::vector<StudyCell> read_frames(JsonObject& matrix, const std::filesystem::pa
     cell.settings = {{"kind", "frames"},
                      {"scene", request.name},
                      {"dimension", request.dimension()},
-                     {"run", to_hex(request.recording->last_state_hash)},
+                     {"run", to_hex(request.recording->identity)},
                      {"range", text_of(request.steps)},
                      {"part", texts.shard},
                      {"size", std::to_string(request.size.width) + "x" + std::to_string(request.size.height)},
