@@ -107,7 +107,10 @@ KeptFrames SequenceFolder::frames_begun_apart_of(const Manifest& manifest) {
   return frames_of(manifest);
 }
 
-void SequenceFolder::build_apart() { apart_ = fresh_part_name(path_ / name_); }
+void SequenceFolder::build_apart() {
+  remove_useless_parts();
+  apart_ = fresh_part_name(path_ / name_);
+}
 
 void SequenceFolder::build_apart_from_earlier() {
   if (!files_of_sequence().empty()) build_apart();
@@ -121,6 +124,20 @@ void SequenceFolder::finish(Manifest manifest) {
   save(manifest, path_);
 }
 
+/// What a process that was killed has built apart and no command goes on with: it has no manifest.
+void SequenceFolder::remove_useless_parts() const {
+  std::error_code ignored;
+  for (const std::filesystem::path& part : parts_of(path_ / name_))
+    if (std::filesystem::is_directory(part, ignored) && !std::filesystem::exists(part / kManifestName))
+      std::filesystem::remove_all(part, ignored);
+}
+
+/// Where both names are links of one file, the rename does nothing and leaves both.
+void SequenceFolder::move_here(const std::filesystem::path& file) const {
+  std::filesystem::rename(file, path_ / file.filename());
+  std::filesystem::remove(file);
+}
+
 /// Frames keep their hashes in the manifest, so that one of the earlier sequence is never taken for one of
 /// the new.
 void SequenceFolder::put_in_place(const Manifest& manifest) {
@@ -130,9 +147,8 @@ void SequenceFolder::put_in_place(const Manifest& manifest) {
   std::filesystem::remove(apart_ / kManifestName);
   std::set<std::string> kept{kManifestName};
   for (const auto& entry : std::filesystem::directory_iterator(apart_)) {
-    const std::string file = entry.path().filename().string();
-    std::filesystem::rename(entry.path(), path_ / file);
-    kept.insert(file);
+    kept.insert(entry.path().filename().string());
+    move_here(entry.path());
   }
   for (const std::filesystem::path& file : files_of_sequence())
     if (!kept.contains(file.filename().string())) std::filesystem::remove(file);

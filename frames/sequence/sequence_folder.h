@@ -34,7 +34,7 @@ class SequenceFolder {
   /// The same of a sequence that was begun apart, to replace the one that is here: if such a part is there,
   /// `path` is that from now on.
   [[nodiscard]] KeptFrames frames_begun_apart_of(const Manifest& manifest);
-  /// From now on `path` is a fresh folder within; there is none until `make`.
+  /// From now on `path` is a fresh folder within; there is none until `make`. No other process may write.
   void build_apart();
   /// The same if the folder holds a sequence.
   void build_apart_from_earlier();
@@ -52,6 +52,8 @@ class SequenceFolder {
  private:
   [[nodiscard]] std::vector<std::filesystem::path> files_of_sequence() const;
 
+  void remove_useless_parts() const;
+  void move_here(const std::filesystem::path& file) const;
   void put_in_place(const Manifest& manifest);
 
   std::filesystem::path path_;
