@@ -1,6 +1,4 @@
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,25 +11,9 @@
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/progress_line.h"
-#include "viz/image/png.h"
 
 namespace kerf {
 namespace {
-
-/// What is wrong with a frame, whose picture is read into `image`; empty: nothing. Throws if its file cannot
-/// be opened: then nothing is known of it.
-std::string trouble_with(const CollectedFrame& frame, Image& image) {
-  const std::filesystem::path path = frame.path();
-  if (!std::filesystem::exists(path)) return path.string() + " is missing";
-  try {
-    image = read_png(path);
-  } catch (const std::runtime_error& error) {
-    if (!std::ifstream(path)) throw;
-    return error.what();
-  }
-  return pixel_hash(image) == frame.record.pixel_hash ? ""
-                                                      : path.string() + " has not the pixels that were drawn";
-}
 
 class CollectCommand final : public Command {
  public:
@@ -56,8 +38,8 @@ CollectCommand::CollectCommand(CLI::App& program)
   output("--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier sequence, film and contact sheet");
   command_->footer(
-      "Every picture is read and held against its manifest. What is missing or damaged is said, and the\n"
-      "command that makes it.");
+      "Every picture is read and held against its manifest, and what --ids put beside it is read. What is\n"
+      "missing or damaged is said, and the command that makes it.");
 }
 
 void CollectCommand::run() const {
@@ -67,7 +49,7 @@ void CollectCommand::run() const {
   outputs.add_folder(out_);
   add_outputs(film, outputs);
   const InterruptGuard interrupt;
-  const Collection collection = collect(folders);
+  Collection collection = collect(folders);
   const std::string gaps = describe_gaps(collection);
   if (!gaps.empty()) throw DoesNotHold(gaps);
   const Manifest& manifest = collection.manifest;
@@ -76,13 +58,13 @@ void CollectCommand::run() const {
       SequenceFolder(out_, manifest.name).check_apart(out);
   FilmFiles files(film, manifest.size, manifest.steps.frames());
   const ProgressLine progress;
-  BadFrames bad(manifest.shard.count);
-  for (const CollectedFrame& frame : collection.frames) {
+  BadFrames bad(collection);
+  for (CollectedFrame& frame : collection.frames) {
     if (interrupt.requested()) throw Interrupted("interrupted");
     progress.show("frame " + std::to_string(frame.record.index + 1) + "/" +
                   std::to_string(manifest.steps.frames()));
     Image image;
-    const std::string trouble = trouble_with(frame, image);
+    const std::string trouble = trouble_with(frame, collection.has_ids, image);
     if (!trouble.empty()) bad.add(frame.record.index, trouble);
     if (bad.empty()) files.add(frame.record.index, image);
   }

@@ -74,6 +74,8 @@ class Joiner {
     }
     for (const JoinedStudy::Cell& cell : joined_.cells)
       if (cell.cell->is_frames()) check_pictures(cell);
+    for (const JoinedStudy::Cell& cell : doubles_)
+      if (cell.cell->is_frames()) check_pictures(cell);
     return std::move(joined_);
   }
 
@@ -96,6 +98,7 @@ class Joiner {
       earlier->second = {&cell, std::move(*file), folder};
     } else if (is_equal(earlier->second.file.figures.counts, file->figures.counts)) {
       ++joined_.doubles;
+      doubles_.push_back({&cell, std::move(*file), folder});
     } else {
       differences_.push_back(cell_path(earlier->second.folder, cell).string() + " and " + path.string());
     }
@@ -103,6 +106,7 @@ class Joiner {
 
   std::map<std::string, const StudyCell*> cells_;
   std::map<std::string, JoinedStudy::Cell> found_;
+  std::vector<JoinedStudy::Cell> doubles_;
   std::vector<std::string> differences_;
   JoinedStudy joined_;
 };

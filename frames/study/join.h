@@ -24,8 +24,8 @@ struct JoinedStudy {
 
 /// Reads all folders. Of a cell that several of them have, the first one's figures count. Throws
 /// std::runtime_error, with all of them, if two folders have different counts of a cell, and if the file of a
-/// cell is damaged or its pictures, which are all read, are not those that were drawn; UsageError if a folder
-/// is none.
+/// cell is damaged or its pictures, which are all read, those of doubles as well, are not those that were
+/// drawn; UsageError if a folder is none.
 JoinedStudy join(const Study& study, const std::vector<std::filesystem::path>& folders);
 
 /// "3 of 200 cells are missing: ..., ...; this makes them: kerf study ...". Empty if none is.
