@@ -4,16 +4,12 @@
 #include <iterator>
 #include <utility>
 
+#include "frames/import/alike_steps.h"
 #include "frames/import/signed_ids.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
 namespace {
-
-struct BoxStep {
-  GivenStep step;
-  std::size_t line = 0;  ///< its first
-};
 
 struct BoxSurvey {
   std::vector<BoxStep> steps;
@@ -164,6 +160,7 @@ Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::
   BoxSurvey read = read_boxes(boxes, trees, !pairs_name.empty(), oddities);
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
+  check_alike(read.steps, pairs, pairs_name);
   check_steps(nodes, nodes_name, result.steps);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
   result.objects = read.objects;

@@ -35,7 +35,8 @@ struct Survey {
 /// Reads the boxes once and names everything: objects get small numbers, so that what a run costs depends on
 /// how many there are. Where their own numbers are small, these stay. Notes what is odd about the steps.
 /// Throws UsageError that names the line if steps do not rise, if a pair's step comes before the first one,
-/// or if nodes are of a step that has neither boxes nor pairs.
+/// if steps of pairs are not written as those of boxes are (`check_alike`), or if nodes are of a step that
+/// has neither boxes nor pairs.
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
               const GivenTrees& trees, const std::string& nodes_name, Oddities& oddities);
 

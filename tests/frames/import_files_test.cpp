@@ -6,6 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <charconv>
+
 #include "core/files/part_file.h"
 #include "tests/frames/import_program.h"
 #include "tests/support/recorded_crowd.h"
@@ -15,6 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using Words = std::vector<std::string>;
 
 const std::string kHead = "step,object,min_x,max_x,min_y,max_y\n";
 
@@ -166,6 +170,73 @@ TEST_F(ImportFiles, ObjectsWithASignInOneTableOnlyAreRefused) {
       << "two objects";
   EXPECT_THAT(imported("a", boxes, {"--pairs", write("pairs.csv", "step,a,b\n1,4294967294,7\n1,9,7\n")}),
               HasSubstr("odd: 1 pair with an object that is not there"));
+}
+
+/// As printf writes a time.
+struct TimeWriting {
+  std::chars_format format;
+  int digits;
+  std::string before{};
+
+  [[nodiscard]] std::string text(double time) const {
+    std::array<char, 40> text{};
+    return before +
+           std::string(text.begin(), std::to_chars(text.begin(), text.end(), time, format, digits).ptr);
+  }
+};
+
+/// The pairs of a right engine were missed in its steps and extra in others.
+TEST_F(ImportFiles, StepsOfFewerDigitsInOneTableAreRefused) {
+  const auto tables = [&](const TimeWriting& of_boxes, const TimeWriting& of_pairs, double length) {
+    std::string boxes = kHead;
+    std::string pairs = "step,a,b\n";
+    double time = 0;
+    for (int step = 0; step < 60; ++step, time += length) {
+      const std::string at = of_boxes.text(time);
+      boxes += at + ",1,0,2,0,1\n" + at + ",2,1," + std::to_string(3 + step) + ",0,1\n";
+      pairs += of_pairs.text(time) + ",1,2\n";
+    }
+    write("pairs.csv", pairs);
+    return write("boxes.csv", boxes);
+  };
+  const TimeWriting all{std::chars_format::general, 17};
+  const TimeWriting six{std::chars_format::general, 6};
+  const TimeWriting six_decimals{std::chars_format::fixed, 6};
+  const TimeWriting microseconds{std::chars_format::fixed, 6, "2024-05-01T12:00:0"};
+  const TimeWriting milliseconds{std::chars_format::fixed, 3, "2024-05-01T12:00:0"};
+  const Words with_pairs{"--pairs", path("pairs.csv")};
+  const auto said = [&](const TimeWriting& of_boxes, const TimeWriting& of_pairs, double length) {
+    return refused(tables(of_boxes, of_pairs, length), with_pairs);
+  };
+  EXPECT_THAT(
+      said(all, six, 0.1),
+      HasSubstr("pairs.csv, line 3: step 0.1 is no step of the boxes, but step 0.10000000000000001 is "
+                "the same in as many digits: write steps alike in all tables"));
+  EXPECT_THAT(said(all, six_decimals, 1.0 / 60), HasSubstr("0.016667 is no step of the boxes"));
+  EXPECT_THAT(said(all, six, 1e8 / 3), HasSubstr("step 3.33333e+07 is no step of the boxes"));
+  EXPECT_THAT(said(six, all, 0.1), HasSubstr("but step 0.1 is the same in as many digits"));
+  EXPECT_THAT(said(microseconds, milliseconds, 1.0 / 60), HasSubstr("is the same in as many digits"));
+  for (const TimeWriting& both : {all, six, six_decimals, milliseconds})
+    EXPECT_THAT(imported("a", tables(both, both, 1.0 / 60), with_pairs), HasSubstr(": 0 missed, 0 extra"));
+}
+
+/// Where nothing moves there need be no boxes.
+TEST_F(ImportFiles, PairsBetweenStepsOfBoxesAreNoStepsOfFewerDigits) {
+  const auto plays = [&](const Words& box_steps, const Words& pair_steps) {
+    std::string boxes = kHead;
+    for (const std::string& step : box_steps) boxes += step + ",1,0,2,0,1\n" + step + ",2,1,3,0,1\n";
+    std::string pairs = "step,a,b\n";
+    for (const std::string& step : pair_steps) pairs += step + ",1,2\n";
+    const Words with_pairs{"--pairs", write("pairs.csv", pairs)};
+    EXPECT_THAT(imported("a", write("boxes.csv", boxes), with_pairs), HasSubstr(" missed, 0 extra"));
+  };
+  plays({"1", "2", "3"}, {"1", "2", "2.25", "3"});
+  plays({"1", "2", "3"}, {"1", "2", "3", "4"});
+  plays({"0.5", "1.5", "2.5", "3.5", "4.5"}, {"2", "3", "4"});
+  plays({"0.95", "0.966667", "0.983333", "1.01667"}, {"0.95", "0.966667", "0.983333", "1", "1.01667"});
+  plays({"0.01", "0.02", "0.05"}, {"0.01", "0.03", "0.04", "0.05"});
+  plays({"100000", "100010"}, {"100000", "100001", "100010"});
+  plays({"7"}, {"7.1"});
 }
 
 }  // namespace
