@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "core/query/delta_debug.h"
 
@@ -53,7 +54,14 @@ Scenario<D> start_late(Replayer<D>& replayer, std::uint32_t last, const Fails<D>
     Scenario<D> late = scenario_of(replayer, last - rest, last);
     if (fails(late)) return late;
   }
-  return scenario_of(replayer, 0, last);
+  Scenario<D> whole = scenario_of(replayer, 0, last);
+  if (fails(whole)) return whole;
+  throw std::runtime_error(
+      whole.info.decisions.empty()
+          ? "the condition does not hold when the whole run is made again: there is nothing to minimize"
+          : "the condition holds only because of a decision about one event (`kerf rerun`), and other "
+            "objects "
+            "or steps make other events: there is nothing to minimize");
 }
 
 template <int D>
@@ -64,6 +72,9 @@ Scenario<D> minimize(Scenario<D> scenario, const Fails<D>& fails) {
     scenario = leave_out_steps(scenario, fails);
     scenario = leave_out_operators(scenario, fails);
   }
+  if (!fails(scenario))
+    throw std::runtime_error(
+        "the small run does not show the condition: the answers differ from time to time for the same run");
   return scenario;
 }
 

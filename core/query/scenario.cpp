@@ -179,8 +179,11 @@ Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_
 template <int D>
 std::vector<ObjectId> objects_of(const Scenario<D>& scenario) {
   std::vector<ObjectId> objects;
-  for (const ScenarioStep<D>& step : scenario.steps)
+  for (const ScenarioStep<D>& step : scenario.steps) {
     objects.insert(objects.end(), step.requests.objects.begin(), step.requests.objects.end());
+    if (!step.theirs) continue;
+    for (const Pair& pair : *step.theirs) objects.insert(objects.end(), {pair.a, pair.b});
+  }
   std::ranges::sort(objects);
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   return objects;

@@ -44,7 +44,7 @@ struct Acting {
 template <int D>
 Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last);
 
-/// Every object in any request, in the order of their ids.
+/// Every object in any request or pair of another engine, which may have no box, in the order of their ids.
 template <int D>
 std::vector<ObjectId> objects_of(const Scenario<D>& scenario);
 /// Only the requests for these objects, given in the order of their ids.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "core/base/counted.h"
@@ -53,13 +52,12 @@ SmallRun write_recording(const Scenario<D>& scenario, const MinimizeRequest& req
                          const std::filesystem::path& recording, PartFile& picture) {
   record(scenario, recording);
   const auto hit = first_hit<D>(recording, request.when);
-  if (!hit) throw std::runtime_error("the small recording does not show the condition");
   const auto reader = std::make_shared<RecordingReader<D>>(recording);
   Cursor<D> cursor(reader);
-  cursor.go(*hit);
+  cursor.go(hit.value());
   FrameRenderer<D> renderer({1280, 720, kRecordedLayers, ""});
   picture.write(encode_png(render_moment(cursor, renderer)));
-  return {to_string(*hit, reader->info().names), reader->rows().back().state_hash};
+  return {to_string(hit.value(), reader->info().names), reader->rows().back().state_hash};
 }
 
 /// All three are there before one of them gets its name.
@@ -105,10 +103,6 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
     return first_hit<D>(trial.path(), request.when).has_value();
   };
   Replayer<D> replayer(recording);
-  if (!recording->info().decisions.empty() && !fails(scenario_of(replayer, 0, hit->step)))
-    throw std::runtime_error(
-        "the condition holds only because of a decision about one event (`kerf rerun`), and other objects or "
-        "steps make other events: there is nothing to minimize");
   const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
   const Scenario<D> small = minimize<D>(late, fails);
   polling.reset();

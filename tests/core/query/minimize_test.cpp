@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <stdexcept>
 
 #include "core/bsp/bsp.h"
 #include "core/query/delta_debug.h"
@@ -112,8 +113,39 @@ TYPED_TEST(Minimize, StartsAsLateAsItStillFails) {
   const auto late =
       start_late<kD>(replayer, 40, [](const Scenario<kD>& scenario) { return scenario.steps.size() >= 8; });
   EXPECT_EQ(late.steps.size(), 9U);  // one in which all come, and the eight that were tried after four
-  const auto never = start_late<kD>(replayer, 40, [](const Scenario<kD>& /*any*/) { return false; });
-  EXPECT_EQ(never.steps.size(), 40U);
+  const auto all =
+      start_late<kD>(replayer, 40, [](const Scenario<kD>& scenario) { return scenario.steps.size() == 40; });
+  EXPECT_EQ(all.steps.size(), 40U);
+}
+
+/// What was returned did not show the condition.
+TYPED_TEST(Minimize, WhatNoRunShowsIsRefused) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording file;
+  test::record_crowd<kD>(file.path(), 40, test::busy_config());
+  Replayer<kD> replayer(std::make_shared<RecordingReader<kD>>(file.path()));
+  const auto never = [](const Scenario<kD>& /*any*/) { return false; };
+  EXPECT_THROW((void)start_late<kD>(replayer, 40, never), std::runtime_error);
+  int asked = 0;
+  const auto seldom = [&](const Scenario<kD>& /*any*/) { return asked++ == 0; };
+  EXPECT_THROW((void)minimize<kD>(this->crowd(), seldom), std::runtime_error);
+}
+
+/// Pairs of an object that has no box were left out at once, and nothing was found.
+TYPED_TEST(Minimize, APairOfAnObjectWithoutABoxStays) {
+  constexpr int kD = TypeParam::value;
+  const Pair wrong{{3}, {99999}};
+  Scenario<kD> whole = this->crowd();
+  whole.steps[7].theirs = {{{1}, {2}}, wrong};
+  const auto fails = [&](const Scenario<kD>& scenario) {
+    return std::ranges::any_of(scenario.steps, [&](const ScenarioStep<kD>& step) {
+      return step.theirs && std::ranges::find(*step.theirs, wrong) != step.theirs->end();
+    });
+  };
+  const Scenario<kD> small = minimize<kD>(whole, fails);
+  EXPECT_TRUE(fails(small));
+  EXPECT_EQ(small.steps.size(), 1U);
+  EXPECT_THAT(objects_of(small), ElementsAre(wrong.a, wrong.b));
 }
 
 TYPED_TEST(Minimize, AnOperatorNeedsACrowd) {
