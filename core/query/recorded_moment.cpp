@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/median.h"
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/trace/event_facts.h"
 #include "core/tree/partitioner.h"
@@ -158,7 +159,8 @@ double RecordedMoment<D>::median(Variable variable) const {
 template <int D>
 bool RecordedMoment<D>::is_pair(const Pair& pair) const {
   return std::ranges::any_of(tree_->pairs(),
-                             [&](const Pair& other) { return make_pair(other.a, other.b) == pair; });
+                             [&](const Pair& other) { return make_pair(other.a, other.b) == pair; }) &&
+         (!recording_.info().imported || overlap_as_given(recording_, step_, tree_->objects(), pair));
 }
 
 template <int D>

@@ -22,7 +22,7 @@ template <int D>
 class RecordedMoment final : public Moment {
  public:
   /// `tree` may be null: then there is no depth and no pair. `event` is null at the end of a step. `before`
-  /// has the pairs of the step before, sorted.
+  /// has the pairs of the step before, sorted; of an import those that overlap as they were given.
   RecordedMoment(const RecordingReader<D>& recording, std::uint32_t step, const Event* event,
                  const Bsp<D, Watch>* tree, const std::vector<Pair>* before,
                  std::vector<std::optional<double>>& medians);

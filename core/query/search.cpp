@@ -10,6 +10,7 @@
 #include "core/base/float_mode.h"
 #include "core/query/object_bound.h"
 #include "core/query/recorded_moment.h"
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 
 namespace kerf {
@@ -30,6 +31,19 @@ std::vector<GivenId> objects_of(const Expression& expression) {
     if (is_pair) ids.push_back(part.b);
   }
   return ids;
+}
+
+/// The pairs that a condition names.
+std::vector<Pair> pairs_of(const Expression& expression, const GivenNames& names) {
+  std::vector<Pair> pairs;
+  for (const ExpressionPart& part : expression.parts()) {
+    if (part.kind != ExpressionPart::Kind::happening || part.happening > Happening::pair_leaves) continue;
+    const auto a = names.find_object(part.a);
+    const auto b = names.find_object(part.b);
+    if (a && b) pairs.push_back(make_pair(*a, *b));
+  }
+  std::ranges::sort(pairs);
+  return pairs;
 }
 
 }  // namespace
@@ -194,12 +208,27 @@ double Search<D>::value(const Expression& expression, const Position& at) {
   }
   if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
   replayer_->seek(at.step - 1);
-  const std::vector<Pair> before = sorted_pairs(replayer_->tree().pairs());
+  const std::vector<Pair> before = pairs_now(expression);
   replayer_->advance([&](const Event& event) {
     if (event.id == at.event) ask(&event, &replayer_->tree(), nullptr);
   });
   if (at.is_end()) ask(nullptr, &replayer_->tree(), &before);
   return result;
+}
+
+/// Where the replay is, sorted. Of an import, whose boxes the tree has rounded outward, those that the
+/// expression names and that overlap as they were given.
+template <int D>
+std::vector<Pair> Search<D>::pairs_now(const Expression& expression) const {
+  const Bsp<D, Watch>& tree = replayer_->tree();
+  std::vector<Pair> pairs = sorted_pairs(tree.pairs());
+  if (!recording_->info().imported) return pairs;
+  std::vector<Pair> asked = pairs_of(expression, recording_->info().names);
+  std::erase_if(asked, [&](const Pair& pair) {
+    return !std::ranges::binary_search(pairs, pair) ||
+           !overlap_as_given(*recording_, replayer_->step(), tree.objects(), pair);
+  });
+  return asked;
 }
 
 /// The recording has the judgements of an import's pairs.
@@ -236,7 +265,7 @@ std::optional<Position> Search<D>::at_end(const Expression& expression, std::uin
   if (needs_replay(expression)) {
     if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
     replayer_->seek(step - 1);
-    if (expression.asks_pairs()) before = sorted_pairs(replayer_->tree().pairs());
+    if (expression.asks_pairs()) before = pairs_now(expression);
     replayer_->seek(step);
   }
   const Bsp<D, Watch>* const tree = replayer_ ? &replayer_->tree() : nullptr;

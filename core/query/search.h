@@ -70,6 +70,7 @@ class Search {
   void visit_events(const Expression& expression, std::uint32_t step, Visit visit);
   void check_object(const GivenId& id);
   [[nodiscard]] std::uint32_t most_objects() const;
+  [[nodiscard]] std::vector<Pair> pairs_now(const Expression& expression) const;
   [[nodiscard]] bool needs_replay(const Expression& expression) const;
   std::optional<Position> in_step(const Expression& expression, std::uint32_t step, const Range& range);
   std::optional<Position> in_events(const Expression& expression, std::uint32_t step, const Range& range);

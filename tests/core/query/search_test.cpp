@@ -218,5 +218,37 @@ TYPED_TEST(SearchTest, CanBeStopped) {
   EXPECT_EQ(asked, 5U);
 }
 
+/// Their floats touch in every step; in doubles they touch in the second one only.
+TYPED_TEST(SearchTest, BoxesInDoublesAreAPairAsTheyWereGiven) {
+  constexpr int kD = TypeParam::value;
+  GivenBox<kD> a;
+  for (std::size_t axis = 0; axis < kD; ++axis) a.min[axis] = 0;
+  for (std::size_t axis = 0; axis < kD; ++axis) a.max[axis] = 1;
+  GivenBox<kD> b = a;
+  b.max[0] = 2;
+  const test::TemporaryRecording file;
+  RecordingInfo info = test::info_of<kD>(test::busy_config());
+  info.imported = true;
+  Bsp<kD, EventLog> tree(info.config);
+  Recorder<kD> recorder(tree, file.path(), info);
+  (void)recorder.insert({0}, round_outward(a), Mobility::moving);
+  for (const double begin : {1 + 1e-12, 1.0, 1 + 1e-12}) {
+    b.min[0] = begin;
+    (void)(tree.steps() == 0 ? recorder.insert({1}, round_outward(b), Mobility::moving)
+                             : recorder.move({1}, round_outward(b)));
+    recorder.step();
+    recorder.add_theirs(TheirChanges<kD>{{{{0}, a}, {{1}, b}}, {}});
+  }
+  recorder.finish();
+  this->recording_ = std::make_shared<RecordingReader<kD>>(file.path());
+  EXPECT_EQ(this->find_all("pair(0,1)"), std::vector{Position::end_of(2)});
+  EXPECT_EQ(this->find_all("pair(1,0) enters"), std::vector{Position::end_of(2)});
+  EXPECT_EQ(this->find_all("pair(0,1) leaves"), std::vector{Position::end_of(3)});
+  Search<kD> search(this->recording_);
+  const Expression enters = Expression::parse("pair(0,1) enters");
+  EXPECT_EQ(search.value(enters, Position::end_of(2)), 1);
+  EXPECT_EQ(search.value(enters, Position::end_of(3)), 0);
+}
+
 }  // namespace
 }  // namespace kerf
