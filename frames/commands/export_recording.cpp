@@ -112,12 +112,15 @@ class BoxRows {
   std::unordered_map<ObjectId, bool> fixed_;
 };
 
-/// A bound as it was written: zeros behind the point show that all have so many decimals.
+/// A bound as it was written: zeros behind the point show that all have so many decimals, and exponents that
+/// zeros before it are no digits.
 std::string bound_text(double bound, const BoundRounding& rounding) {
-  if (rounding.decimals == 0 || !std::isfinite(bound)) return shortest_text(bound);
+  const bool is_rounded = rounding.decimals > 0 || rounding.digits > 0;
+  if (!is_rounded || !std::isfinite(bound)) return shortest_text(bound);
   std::array<char, 400> text{};
-  const auto decimals = static_cast<int>(rounding.decimals);
-  const auto end = std::to_chars(text.begin(), text.end(), bound, std::chars_format::fixed, decimals).ptr;
+  const auto format = rounding.decimals > 0 ? std::chars_format::fixed : std::chars_format::general;
+  const auto count = static_cast<int>(rounding.decimals > 0 ? rounding.decimals : rounding.digits);
+  const auto end = std::to_chars(text.begin(), text.end(), bound, format, count).ptr;
   return {text.begin(), end};
 }
 
