@@ -142,6 +142,21 @@ def test_what_if_an_operator_were_refused(run, tmp_path):
     assert not (tmp_path / "nothing.kerf").exists()
 
 
+def test_what_holds_by_a_decision_only_is_not_minimised(run, tmp_path):
+    refused = run.what_if(tmp_path / "refused.kerf", refuse=run.find("op==split && kind==acted").event)
+    with pytest.raises(kerf.RecordingError, match="only because of a decision"):
+        refused.minimise(
+            lambda run: (run.events(1, run.steps)["reason"] == kerf.Refusal.decided).any(), tmp_path / "small.kerf"
+        )
+    assert not (tmp_path / "small.kerf").exists()
+
+
+def test_a_verdict_without_the_oracle_is_asked_for(run):
+    with pytest.raises(ValueError, match=f"oracle_every: of {run.steps} steps the oracle was asked in none"):
+        run.verify(oracle_every=run.steps + 1)
+    assert run.verify(oracle_every=run.steps) and run.verify(oracle_every=0)
+
+
 def test_the_smallest_run_still_shows_it(run, tmp_path):
     small = run.minimise("op==split && kind==acted", tmp_path / "small.kerf")
     assert small.find("op==split && kind==acted") is not None
@@ -161,6 +176,9 @@ def test_the_smallest_run_still_shows_it(run, tmp_path):
         run.minimise(lambda run: False, tmp_path / "none.kerf")
     with pytest.raises(ZeroDivisionError):
         small.minimise(lambda run: 1 / 0, tmp_path / "none.kerf")
+    answers = iter([True])
+    with pytest.raises(kerf.RecordingError, match="nothing to minimize"):
+        run.minimise(lambda run: next(answers, False), tmp_path / "none.kerf")
     assert {path.name for path in tmp_path.iterdir()} == {"small.kerf", "pair.kerf"}
 
 
