@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kFrames = 6;  ///< a quarter of a second of a film
+constexpr int kFrames = 4;  ///< more would keep a film from standing still for long
 
 }  // namespace
 
