@@ -21,7 +21,8 @@ void take_latest(const StepContext<D>& step, Mode before) {
   const ObjectTable<D>& latest = requests.latest();
   if (before != Mode::swept) {
     table.copy_all(latest, step.pool());
-  } else if (requests.changed().size() * tuning::kIdsPerCopy < latest.bound()) {
+  } else if (latest.bound() > tuning::kIdsPerCopy * latest.size() &&
+             latest.bound() > tuning::kIdsPerCopy * requests.changed().size()) {
     for (const ObjectId object : requests.changed()) table.copy(latest, object);
   } else if (requests.are_moves()) {
     table.copy_boxes(latest, step.pool());

@@ -66,22 +66,27 @@ HWY_INLINE std::array<float, D> make_keys(const LeafView<D>& leaf, const ByteSca
   return length;
 }
 
-/// The same by ranks.
+/// The same by ranks. No box looks short on an axis on which all share a point.
 template <int D>
 std::array<float, D> make_ranked_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   constexpr std::size_t kHalf = PackedBox<D>::kHalf;
   sweep.is_clumped = true;
   const RankScale<D> ranks = make_rank_scale<D>(leaf.boxes);
-  std::array<std::size_t, D> sum{};
-  for (std::size_t i = 0; i < leaf.size(); ++i) {
-    const ByteKey<D> key = rank_key(leaf.boxes[i], ranks);
-    sweep.keys[i] = key;
-    for (std::size_t axis = 0; axis < D; ++axis)
-      sum[axis] += (key >> (8 * (kHalf + axis)) & 255U) - (key >> (8 * axis) & 255U);
-  }
   std::array<float, D> length;
-  for (std::size_t axis = 0; axis < D; ++axis)
-    length[axis] = static_cast<float>(sum[axis]) / static_cast<float>(leaf.size());
+  for (std::size_t i = 0; i < leaf.size(); ++i) sweep.keys[i] = rank_key(leaf.boxes[i], ranks);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    std::uint64_t sum = 0;
+    std::uint64_t last_begin = 0;
+    std::uint64_t first_end = 255;
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      const std::uint64_t begin = sweep.keys[i] >> (8 * axis) & 255U;
+      const std::uint64_t end = sweep.keys[i] >> (8 * (kHalf + axis)) & 255U;
+      sum += end - begin;
+      last_begin = std::max(last_begin, begin);
+      first_end = std::min(first_end, end);
+    }
+    length[axis] = last_begin <= first_end ? 255 : static_cast<float>(sum) / static_cast<float>(leaf.size());
+  }
   return length;
 }
 
@@ -130,12 +135,13 @@ HWY_INLINE bool is_crowded(const LeafView<D>& leaf, const ByteScale<D>& scale, R
   return rows.sure > (sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow);
 }
 
-/// Divides a leaf of clumps.
+/// Divides a leaf of clumps. A finer step may reach from one byte into the next.
 template <int D>
 bool divide_clumps(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const auto axis = static_cast<std::size_t>(sweep.axis);
-  return sweep.clumps.divide(leaf,
-                             {{sweep.order.data(), leaf.size()}, sweep.plane(axis), sweep.plane(D + axis)});
+  const OrderedBytes bytes{
+      {sweep.order.data(), leaf.size()}, sweep.plane(axis), sweep.plane(D + axis), sweep.is_fine ? 1 : 0};
+  return sweep.clumps.divide(leaf, bytes);
 }
 
 template <int D>

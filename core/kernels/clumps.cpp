@@ -64,7 +64,7 @@ void Clumps<D>::list_cuts(const OrderedBytes& bytes) {
       if (long_.size() > tuning::kMostLong) return;
       continue;
     }
-    if (bytes.begins[k] > reach) end_clump(k);
+    if (bytes.begins[k] > reach + bytes.disorder) end_clump(k);
     reach = std::max<int>(reach, bytes.ends[k]);
     ++size;
   }

@@ -10,11 +10,12 @@
 
 namespace kerf {
 
-/// A leaf's entries in the order of their beginnings along an axis, in bytes.
+/// A leaf's entries in the order of their beginnings along an axis, and these as bytes.
 struct OrderedBytes {
   std::span<const std::uint32_t> order;  ///< places in the leaf
   const std::uint8_t* begins;
   const std::uint8_t* ends;
+  int disorder = 0;  ///< a beginning is at most so many bytes less than one before it
 };
 
 /// Divides leaves whose boxes lie in clumps far from one another, as islands do: each part is swept by

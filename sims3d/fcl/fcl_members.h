@@ -33,8 +33,7 @@ struct NearMember {
 template <typename S, class List, class Offer>
 bool offer_nearest_first(S reach, const S& least, const List& list, const Offer& offer) {
   const auto is_farther = [](const auto& a, const auto& b) { return a.apart > b.apart; };
-  if (!(reach >= 0)) return false;  // NaN is near nothing
-  S offered = 0;                    // all that is nearer
+  S offered = 0;  // all that is nearer
   for (std::vector<NearMember<S>> near;; offered = reach, reach *= 2) {
     reach = std::min(reach, least);
     near.clear();
@@ -103,7 +102,8 @@ struct FclMembers {
  private:
   /// How far from a box it looks first for what is near.
   [[nodiscard]] S first_reach(const fcl::AABB<S>& from) const {
-    const S size = std::max({from.width(), from.height(), from.depth()});
+    const S size = from.width() + from.height() + from.depth();
+    if (!(size >= 0)) return std::numeric_limits<S>::infinity();  // NaN: at everything
     const Box<3> box = to_box(from);
     const auto nearest = static_cast<S>(index->reach_of_nearest((box.min + box.max) * 0.5F));
     const S reach = nearest < std::numeric_limits<S>::max() ? nearest + size / 1024 : size;

@@ -18,6 +18,7 @@
 #include "tests/support/every_kernel.h"
 #include "tests/support/leaf_views.h"
 #include "tests/support/pairs.h"
+#include "tests/support/swept_alike.h"
 
 namespace kerf::test {
 namespace {
@@ -32,23 +33,6 @@ TYPED_TEST(Kernels, TheMachineHasTheBaselineAndRefusesOthers) {
   EXPECT_THROW(use_kernel("ABACUS"), std::invalid_argument);
   use_kernel(baseline);
   EXPECT_EQ(kernel(), baseline);
-}
-
-/// By every kernel, in one order. Returns the last one's sweep.
-template <int D>
-ByteSweep<D> expect_swept_alike(const LeafView<D>& leaf) {
-  ByteSweep<D> sweep;
-  std::vector<Pair> first;
-  for (const std::string& name : kernels()) {
-    use_kernel(name);
-    PairBuffer found;
-    sweep.find(leaf, found);
-    const std::vector<Pair> pairs(found.all().begin(), found.all().end());
-    EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
-    if (name == kernels().front()) first = pairs;
-    EXPECT_EQ(pairs, first) << name << " gives another order";
-  }
-  return sweep;
 }
 
 TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
@@ -150,37 +134,6 @@ TYPED_TEST(Kernels, FewFarBoxesLeaveTheBytesToTheOthers) {
     for (const auto key : sweep.sorted_keys) beginnings.insert(static_cast<std::uint8_t>(key));
     EXPECT_GT(beginnings.size(), 50U) << far;
   }
-}
-
-/// Boxes on islands, every one of which `far` from the next one. One island: some fall from it for ever.
-template <int D>
-LeafView<D> draw_islands(std::size_t count, std::size_t islands, float far, std::size_t grounds) {
-  Random random(13);
-  LeafView<D> leaf;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double way = islands > 1 ? static_cast<double>(k % islands) : random.uniform(0, 1);
-    const bool is_off = islands > 1 || k % 8 == 0;
-    const Vector<D> center =
-        random_point<D>(random, 0, 10) + all<D>(is_off ? far * static_cast<Scalar>(way) : 0);
-    add_entry(leaf, box_at<D>(center, 0.2F));
-    leaf.apart.back() = k % 7 == 0 ? DepthMask{2} : 0;
-  }
-  for (std::size_t k = 0; k < grounds; ++k) add_entry(leaf, box_at<D>(all<D>(0), 60 * far));
-  return leaf;
-}
-
-/// Islands of hundreds and of few, some on one ground or several, of which each pair comes once.
-TYPED_TEST(Kernels, ClumpsAreSweptByThemselves) {
-  constexpr int kD = TypeParam::value;
-  for (const std::size_t count : {200U, 900U})
-    for (const std::size_t islands : {1U, 2U, 6U, 50U})
-      for (const std::size_t grounds : {0U, 1U, 3U, 20U})
-        for (const float far : {1e3F, 1e6F, 1e37F}) {
-          SCOPED_TRACE(testing::Message()
-                       << count << " boxes, " << islands << " islands, " << grounds << " grounds, " << far);
-          const auto sweep = expect_swept_alike(draw_islands<kD>(count, islands, far, grounds));
-          EXPECT_TRUE(sweep.is_clumped || islands != 2 || far == 1e3F || (count == 200 && grounds > 1));
-        }
 }
 
 /// Boxes along the diagonal: they meet all others on no axis, but whatever meets on one meets on all.

@@ -1,0 +1,85 @@
+// Leaves whose boxes lie in clumps far from one another: each clump is swept by itself.
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+#include "tests/support/boxes.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/every_kernel.h"
+#include "tests/support/leaf_views.h"
+#include "tests/support/swept_alike.h"
+
+namespace kerf::test {
+namespace {
+
+template <class T>
+class Clumped : public EveryKernel<T> {};
+TYPED_TEST_SUITE(Clumped, Dimensions, DimensionNames);
+
+/// Boxes on islands, every one of which `far` from the next one. One island: some fall from it for ever.
+template <int D>
+LeafView<D> draw_islands(std::size_t count, std::size_t islands, float far, std::size_t grounds) {
+  Random random(13);
+  LeafView<D> leaf;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double way = islands > 1 ? static_cast<double>(k % islands) : random.uniform(0, 1);
+    const bool is_off = islands > 1 || k % 8 == 0;
+    const Vector<D> center =
+        random_point<D>(random, 0, 10) + all<D>(is_off ? far * static_cast<Scalar>(way) : 0);
+    add_entry(leaf, box_at<D>(center, 0.2F));
+    leaf.apart.back() = k % 7 == 0 ? DepthMask{2} : 0;
+  }
+  for (std::size_t k = 0; k < grounds; ++k) add_entry(leaf, box_at<D>(all<D>(0), 60 * far));
+  return leaf;
+}
+
+/// Islands of hundreds and of few, some on one ground or several, of which each pair comes once.
+TYPED_TEST(Clumped, LeavesAreSweptPartByPart) {
+  constexpr int kD = TypeParam::value;
+  for (const std::size_t count : {200U, 900U})
+    for (const std::size_t islands : {1U, 2U, 6U, 50U})
+      for (const std::size_t grounds : {0U, 1U, 3U, 20U})
+        for (const float far : {1e3F, 1e6F, 1e37F}) {
+          SCOPED_TRACE(testing::Message()
+                       << count << " boxes, " << islands << " islands, " << grounds << " grounds, " << far);
+          const auto sweep = expect_swept_alike(draw_islands<kD>(count, islands, far, grounds));
+          EXPECT_TRUE(sweep.is_clumped || islands != 2 || far == 1e3F || (count == 200 && grounds > 1));
+        }
+}
+
+/// Islands in a row of boxes so tall that bytes are too coarse, and finer steps order them: bytes of one step
+/// differ.
+TYPED_TEST(Clumped, IslandsOfTallBoxesAreDividedBetweenSteps) {
+  constexpr int kD = TypeParam::value;
+  for (std::size_t islands = 10; islands < 60; islands += 5) {
+    Random random(17);
+    LeafView<kD> leaf;
+    for (std::size_t k = 0; k < 50 * islands; ++k) {
+      Box<kD> box;
+      box.min = random_point<kD>(random, 0, 1000);
+      box.min[0] = static_cast<Scalar>(k % islands * 37) + static_cast<Scalar>(random.uniform(0, 1));
+      for (int axis = 0; axis < kD; ++axis) box.max[axis] = box.min[axis] + (axis == 0 ? 0.05F : 500.0F);
+      add_entry(leaf, box);
+    }
+    SCOPED_TRACE(testing::Message() << islands << " islands");
+    expect_swept_alike(leaf);
+  }
+}
+
+/// On a floor at 0, in so many columns that bytes are ranks: the floor's axis is not swept along.
+TYPED_TEST(Clumped, RanksOfAFloorSeparateNothing) {
+  constexpr int kD = TypeParam::value;
+  Random random(18);
+  LeafView<kD> leaf;
+  for (std::size_t k = 0; k < 4000; ++k) {
+    Box<kD> box;
+    box.min = random_point<kD>(random, 0, 0.1);
+    box.min[0] = static_cast<Scalar>(k / 40);
+    box.min[kD - 1] = 0;
+    for (int axis = 0; axis < kD; ++axis) box.max[axis] = box.min[axis] + 1;
+    add_entry(leaf, box);
+  }
+  EXPECT_NE(expect_swept_alike(leaf).axis, kD - 1);
+}
+
+}  // namespace
+}  // namespace kerf::test
