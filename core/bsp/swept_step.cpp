@@ -19,12 +19,10 @@ void take_latest(const StepContext<D>& step, Mode before) {
   ObjectTable<D>& table = step.tree.table;
   const Requests<D>& requests = step.requests;
   const ObjectTable<D>& latest = requests.latest();
-  if (before != Mode::swept) {
-    table.copy_all(latest, step.pool());
-  } else if (latest.bound() > tuning::kIdsPerCopy * latest.size() &&
-             latest.bound() > tuning::kIdsPerCopy * requests.changed().size()) {
+  const std::size_t most = latest.bound() / tuning::kIdsPerCopy;
+  if (before == Mode::swept && latest.size() < most && requests.changed().size() < most) {
     for (const ObjectId object : requests.changed()) table.copy(latest, object);
-  } else if (requests.are_moves()) {
+  } else if (before == Mode::swept && requests.are_moves()) {
     table.copy_boxes(latest, step.pool());
   } else {
     table.copy_all(latest, step.pool());

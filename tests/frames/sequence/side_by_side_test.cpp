@@ -87,7 +87,8 @@ TYPED_TEST(SideBySideTest, PanesArriveInAnotherProcessAsTheyWere) {
   const PanesFrame<kD> read = unpack_panes<kD>(pack_panes(frame));
   EXPECT_EQ(read.scene, "two");
   EXPECT_EQ(read.step, 7U);
-  EXPECT_EQ(panes_title(read), "scene two  step 1250  objects     2  moving     1");
+  EXPECT_EQ(panes_title(read, 100),
+            std::vector<std::string>{"scene two  step 1250  objects     2  moving     1"});
   EXPECT_EQ(read.samples, 1);
   EXPECT_EQ(read.columns, 2);
   EXPECT_TRUE(read.has_strips);
