@@ -52,8 +52,8 @@ inline constexpr std::uint32_t kRowSteps = 4;
 
 // Worlds that most objects have left.
 
-/// A table is taken over object by object, and the changed objects are sampled instead of all ids, where
-/// there are more ids for each.
+/// Where there are more ids for each object, the changed ones are copied one by one, and sampled instead of
+/// ids. 1,000 of 300,000 are left and fly: 0.6 to 2.2 ms a step -> 0.02 to 0.2.
 inline constexpr std::size_t kIdsPerCopy = 8;
 
 // Keep pairs, or sweep leaves. The bench's nine scenes and `pauses`, 4,250 to 64,000 objects. To look one

@@ -18,9 +18,9 @@ namespace kerf {
 /// Each axis is mapped to bytes by a function whose every operation is monotone, also in floats (ByteScale),
 /// so every overlap remains and a few are added. Entries are ordered by counting along the axis that
 /// separates best, in finer steps where bytes are too coarse, and each is compared, 32 or 64 at a time, with
-/// those behind it that begin before it ends. Boxes that lie in clumps are mapped by their ranks instead.
-/// Findings are confirmed on the floats; in dense leaves only those that bytes do not prove. The pairs are
-/// exact, and in the same order for every width of vectors.
+/// those behind it that begin before it ends. A leaf of clumps far from one another is divided between them,
+/// or mapped by ranks. Findings are confirmed on the floats; in dense leaves only those that bytes do not
+/// prove. The pairs are exact, and in the same order for every width of vectors.
 template <int D>
 class ByteSweep {
  public:

@@ -26,8 +26,8 @@ class Clumps {
  public:
   /// No part waits.
   void clear() { count_ = next_ = 0; }
-  /// Divides a leaf, or a part, where no box of its order reaches on. False, and nothing is done, where there
-  /// is no such gap.
+  /// Divides a leaf, or a part of one, at the gaps that only long boxes reach across. Returns false, and adds
+  /// no part, if there is no gap or too many boxes are long.
   bool divide(const LeafView<D>& leaf, const OrderedBytes& bytes);
   /// The next part that waits; null if none does.
   [[nodiscard]] const LeafView<D>* next() { return next_ < count_ ? &parts_[next_++] : nullptr; }
