@@ -275,6 +275,13 @@ class Verifier {
 
 }  // namespace
 
+std::string why_unjudged(const Verdict& verdict, std::uint32_t oracle_every) {
+  if (oracle_every <= verdict.steps || verdict.steps == 0 || !verdict.holds()) return "";
+  return "of " + counted(verdict.steps, "step") +
+         " the oracle was asked in none, so whether the pairs are exact is not known; give a number up to "
+         "that, or 0 if you do not want to know";
+}
+
 Verdict verify(const std::filesystem::path& path, std::uint32_t oracle_every,
                const std::function<bool(std::uint32_t)>& progress) {
   const DefaultFloats floats;

@@ -42,6 +42,10 @@ struct Verdict {
   [[nodiscard]] bool holds() const { return !change && !divergence && missed + extra + twice == 0; }
 };
 
+/// Why a verdict that holds says nothing of the pairs: the oracle was asked every so many steps, which is
+/// more than there are. Empty if it was asked, or was not to be.
+std::string why_unjudged(const Verdict& verdict, std::uint32_t oracle_every);
+
 /// Checks everything in a recording: its pages and its chain; by a replay from the beginning every event,
 /// figure, hash, keyframe and set of pairs; by a second one that continues from each keyframe their hashes
 /// again; and every `oracle_every`-th step's pairs, another engine's too, by the oracle (0: never).

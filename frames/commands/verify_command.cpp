@@ -76,10 +76,8 @@ void VerifyCommand::run() const {
   const Verdict verdict =
       verify(file_, every, [&](std::uint32_t /*step*/) { return !interrupt.requested(); });
   print(verdict, every != 0);
-  if (every > verdict.steps && verdict.steps > 0 && verdict.holds() && !interrupt.requested())
-    throw UsageError("--oracle-every " + oracle_every_ + ": of " + counted(verdict.steps, "step") +
-                     " the oracle was asked in none, so whether the pairs are exact is not known; give a "
-                     "number up to that, or 0 if you do not want to know");
+  if (const std::string why = why_unjudged(verdict, every); !why.empty() && !interrupt.requested())
+    throw UsageError("--oracle-every " + oracle_every_ + ": " + why);
   if (timings_) print_replay_timings(file_);
   if (interrupt.requested())
     throw Interrupted("interrupted: the steps after " + verdict.names.step(verdict.steps) +

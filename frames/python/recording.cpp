@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/counted.h"
 #include "core/base/poll.h"
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
@@ -333,11 +332,8 @@ Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle
         [&] { return verify(path, oracle_every, [&](std::uint32_t) { return !interrupts.requested(); }); });
   }();
   interrupts.rethrow();
-  if (oracle_every > verdict.steps && verdict.steps > 0 && verdict.holds())
-    throw py::value_error(
-        "oracle_every: of " + counted(verdict.steps, "step") +
-        " the oracle was asked in none, so whether the pairs are exact is not known; give a "
-        "number up to that, or 0 if you do not want to know");
+  if (const std::string why = why_unjudged(verdict, oracle_every); !why.empty())
+    throw py::value_error("oracle_every: " + why);
   return verdict;
 }
 
