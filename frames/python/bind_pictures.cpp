@@ -75,7 +75,7 @@ pairs    of boxes: (m, 2) rows, drawn as lines
 layers   as for `kerf render --show`: 'objects,pairs', or changes such as '-legend,+leaves'
 camera   as for `kerf render --camera`: 'yaw=30,pitch=38' (3D), 'center=0:5,width=40' (2D)
 
-Draws without a display. Needs OSMesa or EGL (Debian: libosmesa6 or libegl-mesa0).)";
+Draws without a display. Needs OSMesa or EGL (Debian: libosmesa6, or libegl1 and libegl-mesa0).)";
 
 py::array render_recording(PythonRecording& recording, const std::optional<std::uint32_t>& step,
                            const std::optional<std::uint64_t>& event, const PictureOptions& options) {

@@ -95,6 +95,19 @@ TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
   EXPECT_THAT(outcome.out, HasSubstr("xvfb-run"));
 }
 
+/// libegl-mesa0 alone has no libEGL.so.1. Nothing draws where both libraries are unreadable.
+TEST(DoctorProgram, NamesEveryPackageThatDrawingNeeds) {
+  const test::TemporaryFolder folder;
+  for (const char* library : {"libEGL.so.1", "libOSMesa.so.8"}) std::ofstream(folder.path() / library) << "";
+  const std::string command = "LD_LIBRARY_PATH='" + folder.path().string() + "' exec \"$0\" doctor --json";
+  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  EXPECT_EQ(outcome.exit, kExitDoesNotHold);
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const char* name : {"drawing", "drawing by EGL"})
+    EXPECT_THAT(part(report, name).at("advice").get<std::string>(), HasSubstr("libegl1 libegl-mesa0"))
+        << name;
+}
+
 TEST(DoctorProgram, WhatPicturesNeedIsAFailure) {
   const std::string command = "TMPDIR=/nowhere exec \"$0\" doctor";
   const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
