@@ -4,6 +4,7 @@
 #   libkerf-dev  headers, static libraries  (component development)
 #   kerf         the program                (component program)
 #   python3-kerf the Python module          (component python, if KERF_PYTHON)
+#   kerf-doc     the pages of docs/         (component documentation)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kerf)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -16,7 +17,7 @@ set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Kerf authors <kerf@kerf.invalid>" CACHE
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL runtime development program)
+set(CPACK_COMPONENTS_ALL runtime development program documentation)
 if(KERF_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
@@ -43,10 +44,11 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "broad phase of collision detection - headers\n${about}
 
 This package has headers, static libraries, files for CMake and pkg-config,
-and adapters with which Bullet, ODE, FCL and Box2D use the broad phase.")
+examples, and adapters with which Bullet, ODE, FCL and Box2D use the broad
+phase.")
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${abi} (= ${PROJECT_VERSION}), "
   "libhwy-dev, libtbb-dev, libxxhash-dev, libsqlite3-dev, libzstd-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libbullet-dev, libode-dev, libfcl-dev, libbox2d-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "kerf-doc, libbullet-dev, libode-dev, libfcl-dev, libbox2d-dev")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
@@ -63,7 +65,15 @@ set(CPACK_COMPONENT_PROGRAM_DEPENDS runtime)
 set(drawing "libosmesa6 | libegl-mesa0, libosmesa6 | libegl1")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ${drawing})
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, gnuplot-nox | gnuplot")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "kerf-doc, parallel")
+
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME kerf-doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
+set(CPACK_COMPONENT_DOCUMENTATION_DESCRIPTION "broad phase of collision detection - documentation\n${about}
+
+This package has the pages about the program, the libraries and the Python
+module, with their pictures and notebooks.")
 
 if(KERF_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kerf)
@@ -78,11 +88,24 @@ recordings, pictures and checks of broad phases.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS ${drawing})
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS kerf-doc)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/python/postinst
     ${PROJECT_SOURCE_DIR}/cmake/debian/python/prerm)
 endif()
 
+# The pages' links to each other hold in the package, and so does what the program calls docs/NAME.md.
+set(pages DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kerf-doc COMPONENT documentation EXCLUDE_FROM_ALL)
+install(FILES README.md CHANGELOG.md LICENSE ${pages})
+install(DIRECTORY docs ${pages} PATTERN Doxyfile EXCLUDE PATTERN reference.md EXCLUDE)
+
+# The example is beside the sample of README.md, as it is here.
+set(examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libkerf-dev/examples COMPONENT development EXCLUDE_FROM_ALL)
+install(FILES tests/embed/main.cpp ${examples})
+install(DIRECTORY tests/embed/example tests/embed/adapters ${examples})
+
 # What Debian wants of each package: copyright and changelog.
+file(READ LICENSE licence)
+configure_file(cmake/debian/copyright.in ${PROJECT_BINARY_DIR}/copyright @ONLY)
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(changelog ${PROJECT_BINARY_DIR}/changelog)
 configure_file(cmake/debian/changelog.in ${changelog} @ONLY)
@@ -94,7 +117,7 @@ execute_process(COMMAND ${KERF_GZIP} --best --no-name --force --keep ${changelog
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
   set(place DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
-  install(FILES LICENSE ${place} RENAME copyright EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/copyright ${place} EXCLUDE_FROM_ALL)
   install(FILES ${changelog}.gz ${place} EXCLUDE_FROM_ALL)
 endforeach()
 

@@ -72,7 +72,9 @@ std::string manual(const CLI::App& program) {
                      "\n.I command\n[options]\n.SH COMMANDS\n";
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     text += command_text(program, *command);
-  return text;
+  return text +
+         ".SH SEE ALSO\nThe pages that the commands name, such as docs/DEBUGGING.md, are in the repository. "
+         "Debian's package kerf\\-doc has them in /usr/share/doc/kerf\\-doc.\n";
 }
 
 }  // namespace kerf

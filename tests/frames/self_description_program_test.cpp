@@ -33,6 +33,13 @@ TEST(SelfDescriptionProgram, OptionsOfGroupsAreShown) {
   EXPECT_THAT(run_kerf({"man"}).out, HasSubstr("chrome\\-trace"));
 }
 
+TEST(SelfDescriptionProgram, ThePageSaysWhereTheOtherPagesAre) {
+  const std::string page = run_kerf({"man"}).out;
+  EXPECT_THAT(page, HasSubstr("docs/DEBUGGING.md is a guide"));
+  EXPECT_THAT(page, HasSubstr(".SH SEE ALSO\n"));
+  EXPECT_THAT(page, HasSubstr("/usr/share/doc/kerf\\-doc"));
+}
+
 TEST(SelfDescriptionProgram, BashCompletesCommandsAndOptions) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "script") << run_kerf({"completion", "bash"}).out;
