@@ -7,7 +7,9 @@
 #   kerf-doc     the pages of docs/         (component documentation)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kerf)
-set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+# apt-get installs nothing over the same version, so each build has a higher one.
+string(TIMESTAMP built "%Y%m%d%H%M" UTC)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION}+${built})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/check_tools.cmake)
@@ -46,8 +48,8 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "broad phase of collision detection 
 This package has headers, static libraries, files for CMake and pkg-config,
 examples, and adapters with which Bullet, ODE, FCL and Box2D use the broad
 phase.")
-string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${abi} (= ${PROJECT_VERSION}), "
-  "libhwy-dev, libtbb-dev, libxxhash-dev, libsqlite3-dev, libzstd-dev")
+string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${abi} (= ${CPACK_PACKAGE_VERSION}), "
+  "libhwy-dev, libtbb-dev, libxxhash-dev, libsqlite3-dev, libzstd-dev, pkgconf | pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "kerf-doc, libbullet-dev, libode-dev, libfcl-dev, libbox2d-dev")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
