@@ -1,6 +1,7 @@
 #include "core/bsp/thread_chooser.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace kerf {
 namespace {
@@ -22,11 +23,12 @@ constexpr bool is_shared(std::size_t step) { return step >= kFirstShared && step
 
 /// The median of the steps of one way; the first one after a change of the way does not count.
 double median(const std::array<double, ThreadChooser::kTrialSteps>& seconds, bool shared) {
-  std::array<double, ThreadChooser::kTrialSteps> counting{};
+  std::array<double, ThreadChooser::kTrialSteps> counting;
+  counting.fill(std::numeric_limits<double>::infinity());  // behind those that count
   std::size_t count = 0;
   for (std::size_t step = 1; step < seconds.size(); ++step)
     if (is_shared(step) == shared && is_shared(step - 1) == shared) counting[count++] = seconds[step];
-  std::sort(counting.begin(), counting.begin() + static_cast<std::ptrdiff_t>(count));
+  std::ranges::sort(counting);
   return (counting[(count - 1) / 2] + counting[count / 2]) / 2;
 }
 
