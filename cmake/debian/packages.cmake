@@ -75,7 +75,7 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_DOCUMENTATION_DESCRIPTION "broad phase of collision detection - documentation\n${about}
 
 This package has the pages about the program, the libraries and the Python
-module, with their pictures and notebooks.")
+module, with their pictures, notebooks and studies.")
 
 if(KERF_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kerf)
@@ -98,7 +98,7 @@ endif()
 # The pages' links to each other hold in the package, and so does what the program calls docs/NAME.md.
 set(pages DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kerf-doc COMPONENT documentation EXCLUDE_FROM_ALL)
 install(FILES README.md CHANGELOG.md LICENSE ${pages})
-install(DIRECTORY docs ${pages} PATTERN Doxyfile EXCLUDE PATTERN reference.md EXCLUDE)
+install(DIRECTORY docs studies ${pages} PATTERN Doxyfile EXCLUDE PATTERN reference.md EXCLUDE)
 
 # The example is beside the sample of README.md, as it is here.
 set(examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libkerf-dev/examples COMPONENT development EXCLUDE_FROM_ALL)
