@@ -99,8 +99,7 @@ TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
 TEST(DoctorProgram, NamesEveryPackageThatDrawingNeeds) {
   const test::TemporaryFolder folder;
   for (const char* library : {"libEGL.so.1", "libOSMesa.so.8"}) std::ofstream(folder.path() / library) << "";
-  const std::string command = "LD_LIBRARY_PATH='" + folder.path().string() + "' exec \"$0\" doctor --json";
-  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  const RunOutcome outcome = run_kerf({"doctor", "--json"}, {.libraries = folder.path().string()});
   EXPECT_EQ(outcome.exit, kExitDoesNotHold);
   const auto report = nlohmann::json::parse(outcome.out);
   for (const char* name : {"drawing", "drawing by EGL"})
