@@ -22,10 +22,6 @@ struct GivenId {
   }
 };
 
-/// The nearest double: what conditions compare.
-constexpr double to_double(const GivenId& id) {
-  return (id.negative ? -1.0 : 1.0) * static_cast<double>(id.magnitude);
-}
 /// Reads "17", "+17", "-12034" and "17.0"; nothing for anything else, nor for what 64 bits do not hold.
 std::optional<GivenId> parse_given_id(std::string_view text);
 /// Without a plus sign and leading zeros.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/nearest_long_doubles.h"
 #include "core/base/number_text.h"
 
 namespace kerf {
@@ -38,6 +39,7 @@ std::optional<long double> parse_date(std::string_view text) {
                                          std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
   if (!second || *second >= 61 || !date.ok() || *hour > 23 || *minute > 59) return std::nullopt;
+  const NearestLongDoubles nearest;
   const auto days = std::chrono::sys_days(date).time_since_epoch().count();
   return static_cast<long double>((days * 24 + *hour) * 60 + *minute) * 60 + *second;
 }
@@ -88,8 +90,8 @@ std::string GivenNames::coming_step(std::uint32_t step) const {
   return !steps_.empty() && step > steps_.size() ? "a step after the last" : "step " + this->step(step);
 }
 
-double GivenNames::step_number(std::uint32_t step) const {
-  return step >= 1 && step <= times_.size() ? static_cast<double>(times_[step - 1]) : step;
+long double GivenNames::step_number(std::uint32_t step) const {
+  return step >= 1 && step <= times_.size() ? times_[step - 1] : static_cast<long double>(step);
 }
 
 std::optional<ObjectId> GivenNames::find_object(const GivenId& name) const {

@@ -37,7 +37,7 @@ class GivenNames {
   /// "step 5000", or "a step after the last" if it is later than all that have names.
   [[nodiscard]] std::string coming_step(std::uint32_t step) const;
   /// As a number, which is what conditions compare; own numbers where there is no name.
-  [[nodiscard]] double step_number(std::uint32_t step) const;
+  [[nodiscard]] long double step_number(std::uint32_t step) const;
 
   [[nodiscard]] std::optional<ObjectId> find_object(const GivenId& name) const;
   [[nodiscard]] std::optional<std::uint32_t> find_step(std::string_view name) const;

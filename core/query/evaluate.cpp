@@ -1,7 +1,5 @@
 #include "core/query/evaluate.h"
 
-#include <cmath>
-
 namespace kerf {
 namespace {
 
@@ -12,7 +10,7 @@ class Evaluation {
   Evaluation(const Expression& expression, const Moment& moment)
       : parts_(expression.parts()), moment_(moment) {}
 
-  [[nodiscard]] double value(const ExpressionPart& part) const {
+  [[nodiscard]] ConditionNumber value(const ExpressionPart& part) const {
     switch (part.kind) {
       case Kind::number:
         return part.number;
@@ -21,36 +19,48 @@ class Evaluation {
       case Kind::median:
         return moment_.median(part.variable);
       case Kind::happening:
-        return moment_.happens(part) ? 1 : 0;
+        return of_truth(moment_.happens(part));
       case Kind::negate:
-        return -value(parts_[part.left]);
+        return negated(value(parts_[part.left]));
       case Kind::is_not:
-        return truth(part.left) ? 0 : 1;
+        return of_truth(!truth(part.left));
       case Kind::both:
-        return truth(part.left) && truth(part.right) ? 1 : 0;
+        return of_truth(truth(part.left) && truth(part.right));
       case Kind::either:
-        return truth(part.left) || truth(part.right) ? 1 : 0;
+        return of_truth(truth(part.left) || truth(part.right));
       default:
         return joined(part.kind, value(parts_[part.left]), value(parts_[part.right]));
     }
   }
 
  private:
-  [[nodiscard]] bool truth(std::size_t part) const {
-    const double x = value(parts_[part]);
-    return !std::isnan(x) && x != 0;
+  [[nodiscard]] bool truth(std::size_t part) const { return value(parts_[part]).is_true(); }
+
+  static ConditionNumber of_truth(bool truth) { return ConditionNumber::of(truth ? 1 : 0); }
+
+  static ConditionNumber negated(const ConditionNumber& x) {
+    return {-x.nearest, x.exact ? std::optional(-*x.exact) : std::nullopt};
   }
 
-  static double joined(Kind kind, double x, double y) {
-    if (kind == Kind::multiply) return x * y;
-    if (kind == Kind::divide) return x / y;
-    if (kind == Kind::add) return x + y;
-    if (kind == Kind::subtract) return x - y;
-    return compares(kind, x, y) ? 1 : 0;
+  static ConditionNumber joined(Kind kind, const ConditionNumber& x, const ConditionNumber& y) {
+    if (kind == Kind::divide) return ConditionNumber::measured(x.nearest / y.nearest);
+    if (kind < Kind::less) return calculated(kind, x, y);
+    return of_truth(x.exists() && y.exists() &&
+                    ConditionNumber::related(
+                        x, y, [kind](long double a, long double b) { return compares(kind, a, b); }));
   }
 
-  static bool compares(Kind kind, double x, double y) {
-    if (std::isnan(x) || std::isnan(y)) return false;
+  static ConditionNumber calculated(Kind kind, const ConditionNumber& x, const ConditionNumber& y) {
+    const auto calculate = [kind]<class Number>(Number a, Number b) {
+      if (kind == Kind::multiply) return a * b;
+      return kind == Kind::add ? a + b : a - b;
+    };
+    const bool is_exact = x.exact && y.exact;
+    return {calculate(x.nearest, y.nearest),
+            is_exact ? std::optional(calculate(*x.exact, *y.exact)) : std::nullopt};
+  }
+
+  static bool compares(Kind kind, long double x, long double y) {
     switch (kind) {
       case Kind::less:
         return x < y;
@@ -73,12 +83,9 @@ class Evaluation {
 
 }  // namespace
 
-bool holds(const Expression& expression, const Moment& moment) {
-  const double x = value(expression, moment);
-  return !std::isnan(x) && x != 0;
-}
+bool holds(const Expression& expression, const Moment& moment) { return value(expression, moment).is_true(); }
 
-double value(const Expression& expression, const Moment& moment) {
+ConditionNumber value(const Expression& expression, const Moment& moment) {
   return Evaluation(expression, moment).value(expression.root());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/float_mode.h"
 #include "core/query/expression_lexer.h"
 #include "core/query/expression_units.h"
 #include "core/query/expression_words.h"
@@ -187,7 +188,7 @@ class Parser {
       if (value.of != part.variable) continue;
       if (value.name == name) {
         ++next_;
-        return add({.kind = Kind::number, .number = value.value}, {});
+        return add({.kind = Kind::number, .number = ConditionNumber::measured(value.value)}, {});
       }
       known += (known.empty() ? "" : ", ") + std::string(value.name);
     }
@@ -323,6 +324,7 @@ class Parser {
 }  // namespace
 
 Expression Expression::parse(std::string_view text) {
+  const DefaultFloats floats;
   Expression expression;
   expression.text_ = text;
   expression.parts_ = Parser(text).run_condition();
@@ -330,6 +332,7 @@ Expression Expression::parse(std::string_view text) {
 }
 
 Expression Expression::parse_value(std::string_view text) {
+  const DefaultFloats floats;
   Expression expression;
   expression.text_ = text;
   expression.parts_ = Parser(text).run();

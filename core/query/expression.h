@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/given_id.h"
+#include "core/query/condition_number.h"
 
 namespace kerf {
 
@@ -80,7 +81,7 @@ struct ExpressionPart {
     either,
   };
   Kind kind = Kind::number;
-  double number = 0;
+  ConditionNumber number{};
   Variable variable = Variable::step;
   Happening happening = Happening::pair_is;
   GivenId a{};  ///< the node of a happening, or the object by its name

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/number_text.h"
 #include "core/query/expression_words.h"
 
 namespace kerf {
@@ -56,7 +57,7 @@ class Lexer {
   }
 
  private:
-  void add(Token::Kind kind, std::size_t size, double number = 0) {
+  void add(Token::Kind kind, std::size_t size, const ConditionNumber& number = {}) {
     tokens_.push_back({.kind = kind, .text = text_.substr(at_, size), .number = number, .place = at_});
     at_ += size;
   }
@@ -72,7 +73,9 @@ class Lexer {
     const std::string_view name = text_.substr(at_ + digits, size - digits);
     for (const Unit& unit : kUnits) {
       if (unit.name != name) continue;
-      add(Token::Kind::number, size, value * unit.factor);
+      const std::string_view written = text_.substr(at_, digits);
+      add(Token::Kind::number, size,
+          {value * unit.factor, name.empty() ? read_number<long double>(written) : std::nullopt});
       if (!name.empty()) tokens_.back().measure = {unit.quantity, at_ - name.size()};
       return;
     }

@@ -13,7 +13,7 @@ struct Token {
   enum class Kind : std::uint8_t { number, word, symbol, end };
   Kind kind = Kind::end;
   std::string_view text{};      ///< for a number its digits and its unit
-  double number = 0;            ///< in seconds where a unit of time was given
+  ConditionNumber number{};     ///< in seconds where a unit of time was given
   std::size_t place = 0;        ///< where it begins
   ExpressionMeasure measure{};  ///< of a number
 };

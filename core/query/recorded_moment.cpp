@@ -13,48 +13,48 @@
 namespace kerf {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr ConditionNumber kNothing{};
 
-double phase_time(const StepRow& row, Phase phase) {
-  return row.statistics.phase_seconds[static_cast<std::size_t>(phase)];
+ConditionNumber phase_time(const StepRow& row, Phase phase) {
+  return ConditionNumber::measured(row.statistics.phase_seconds[static_cast<std::size_t>(phase)]);
 }
 
-double acted_number(const OperatorActed& acted, Variable variable) {
-  if (variable == Variable::population) return acted.before.population;
+ConditionNumber acted_number(const OperatorActed& acted, Variable variable) {
+  if (variable == Variable::population) return ConditionNumber::of(acted.before.population);
   if (acted.after.left + acted.after.right == 0) return kNothing;  // a leaf has no partitioner
-  if (variable == Variable::balance) return static_cast<double>(balance(acted.after));
-  return redundancy(acted.after);
+  if (variable == Variable::balance) return ConditionNumber::measured(double{balance(acted.after)});
+  return ConditionNumber::of(redundancy(acted.after));
 }
 
 }  // namespace
 
-double row_number(const StepRow& row, Variable variable) {
+ConditionNumber row_number(const StepRow& row, Variable variable) {
   const Statistics& s = row.statistics;
   switch (variable) {
     case Variable::step:
-      return row.step;
+      return ConditionNumber::of(row.step);
     case Variable::objects:
-      return s.objects;
+      return ConditionNumber::of(s.objects);
     case Variable::changed:
-      return static_cast<double>(row.changed);
+      return ConditionNumber::of(row.changed);
     case Variable::pairs:
-      return static_cast<double>(row.pairs);
+      return ConditionNumber::of(row.pairs);
     case Variable::height:
-      return s.height;
+      return ConditionNumber::of(s.height);
     case Variable::leaves:
-      return s.leaves;
+      return ConditionNumber::of(s.leaves);
     case Variable::entries:
-      return static_cast<double>(s.entries);
+      return ConditionNumber::of(s.entries);
     case Variable::redundancy:
-      return s.redundancy;
+      return ConditionNumber::measured(s.redundancy);
     case Variable::refused:
-      return static_cast<double>(s.refused);
+      return ConditionNumber::of(s.refused);
     case Variable::deferred:
-      return s.deferred;
+      return ConditionNumber::of(s.deferred);
     case Variable::placed:
-      return static_cast<double>(s.placed);
+      return ConditionNumber::of(s.placed);
     case Variable::step_time:
-      return row.seconds();
+      return ConditionNumber::measured(row.seconds());
     case Variable::place_time:
       return phase_time(row, Phase::place);
     case Variable::sort_time:
@@ -70,27 +70,27 @@ double row_number(const StepRow& row, Variable variable) {
   }
 }
 
-double event_number(const Event& event, Variable variable) {
+ConditionNumber event_number(const Event& event, Variable variable) {
   switch (variable) {
     case Variable::event:
-      return static_cast<double>(event.id);
+      return ConditionNumber::of(event.id);
     case Variable::op: {
       const auto deed = deed_of(event);
-      return deed ? static_cast<double>(deed->op) : kNothing;
+      return deed ? ConditionNumber::measured(static_cast<double>(deed->op)) : kNothing;
     }
     case Variable::kind:
-      return static_cast<double>(event.body.index());
+      return ConditionNumber::of(event.body.index());
     case Variable::phase: {
       const auto phase = phase_of(event);
-      return phase ? static_cast<double>(*phase) : kNothing;
+      return phase ? ConditionNumber::measured(static_cast<double>(*phase)) : kNothing;
     }
     case Variable::node: {
       const auto node = node_of(event);
-      return node ? node->node.value : kNothing;
+      return node ? ConditionNumber::of(node->node.value) : kNothing;
     }
     case Variable::object: {
       const auto object = object_of(event);
-      return object ? object->value : kNothing;
+      return object ? ConditionNumber::of(object->value) : kNothing;
     }
     case Variable::population:
     case Variable::balance:
@@ -104,9 +104,9 @@ double event_number(const Event& event, Variable variable) {
 }
 
 double row_median(std::span<const StepRow> rows, Variable variable) {
-  if (rows.empty()) return kNothing;
+  if (rows.empty()) return kNothing.nearest;
   std::vector<double> values;
-  for (const StepRow& row : rows) values.push_back(row_number(row, variable));
+  for (const StepRow& row : rows) values.push_back(row_number(row, variable).nearest);
   return median(std::move(values));
 }
 
@@ -117,23 +117,23 @@ RecordedMoment<D>::RecordedMoment(const RecordingReader<D>& recording, std::uint
     : recording_(recording), step_(step), event_(event), tree_(tree), before_(before), medians_(medians) {}
 
 template <int D>
-double RecordedMoment<D>::number(Variable variable) const {
+ConditionNumber RecordedMoment<D>::number(Variable variable) const {
   const GivenNames& names = recording_.info().names;
-  if (variable == Variable::step) return names.step_number(step_);
+  if (variable == Variable::step) return ConditionNumber::of(names.step_number(step_));
   if (variable >= Variable::missed && variable <= Variable::undecided) return judged(variable);
   if (variable < Variable::event) return row_number(recording_.row(step_), variable);
   if (event_ == nullptr) return kNothing;
   if (const auto object = object_of(*event_); object && variable == Variable::object)
-    return to_double(names.object_id(*object));
+    return ConditionNumber::of(names.object_id(*object));
   if (variable != Variable::depth) return event_number(*event_, variable);
   const auto node = node_of(*event_);
   if (!node || tree_ == nullptr || !tree_->tree().is_alive(*node)) return kNothing;
-  return tree_->tree()[node->node].depth;
+  return ConditionNumber::of(tree_->tree()[node->node].depth);
 }
 
 /// Another engine's pairs if the recording has some, else the tree's.
 template <int D>
-double RecordedMoment<D>::judged(Variable variable) const {
+ConditionNumber RecordedMoment<D>::judged(Variable variable) const {
   if (!judgement_) judgement_ = recording_.their_step(step_);
   if (!judgement_) {
     if (tree_ == nullptr || event_ != nullptr) return kNothing;
@@ -141,19 +141,28 @@ double RecordedMoment<D>::judged(Variable variable) const {
     judgement_ = TheirStep{
         tree_->pairs().size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size(), 0, 0};
   }
-  if (variable == Variable::missed) return static_cast<double>(judgement_->missed);
-  if (variable == Variable::extra) return static_cast<double>(judgement_->extra);
-  if (variable == Variable::twice) return static_cast<double>(judgement_->twice);
-  return static_cast<double>(variable == Variable::ignored ? judgement_->ignored : judgement_->undecided);
+  if (variable == Variable::missed) return ConditionNumber::of(judgement_->missed);
+  if (variable == Variable::extra) return ConditionNumber::of(judgement_->extra);
+  if (variable == Variable::twice) return ConditionNumber::of(judgement_->twice);
+  return ConditionNumber::of(variable == Variable::ignored ? judgement_->ignored : judgement_->undecided);
 }
 
 template <int D>
-double RecordedMoment<D>::median(Variable variable) const {
+ConditionNumber RecordedMoment<D>::median(Variable variable) const {
+  if (variable == Variable::step) return ConditionNumber::of(median_step());
   constexpr auto kRowVariables = static_cast<std::size_t>(Variable::missed);
   medians_.resize(kRowVariables);
   std::optional<double>& median = medians_[static_cast<std::size_t>(variable)];
   if (!median) median = row_median(recording_.rows(), variable);
-  return *median;
+  return ConditionNumber::measured(*median);
+}
+
+/// As the other engine calls its steps, which rise.
+template <int D>
+long double RecordedMoment<D>::median_step() const {
+  const GivenNames& names = recording_.info().names;
+  const std::uint32_t steps = recording_.steps();
+  return (names.step_number((steps + 1) / 2) + names.step_number(steps / 2 + 1)) / 2;
 }
 
 template <int D>

@@ -10,10 +10,10 @@
 
 namespace kerf {
 
-/// The value of a variable in a step's row; NaN if the row does not have it.
-double row_number(const StepRow& row, Variable variable);
-/// The value of a variable in an event; NaN if the event does not have it.
-double event_number(const Event& event, Variable variable);
+/// The value of a variable in a step's row; none if the row does not have it.
+ConditionNumber row_number(const StepRow& row, Variable variable);
+/// The value of a variable in an event; none if the event does not have it.
+ConditionNumber event_number(const Event& event, Variable variable);
 /// The median over all steps; NaN if there are none. Only for variables of rows.
 double row_median(std::span<const StepRow> rows, Variable variable);
 
@@ -27,12 +27,13 @@ class RecordedMoment final : public Moment {
                  const Bsp<D, Watch>* tree, const std::vector<Pair>* before,
                  std::vector<std::optional<double>>& medians);
 
-  [[nodiscard]] double number(Variable variable) const override;
-  [[nodiscard]] double median(Variable variable) const override;
+  [[nodiscard]] ConditionNumber number(Variable variable) const override;
+  [[nodiscard]] ConditionNumber median(Variable variable) const override;
   [[nodiscard]] bool happens(const ExpressionPart& happening) const override;
 
  private:
-  [[nodiscard]] double judged(Variable variable) const;
+  [[nodiscard]] ConditionNumber judged(Variable variable) const;
+  [[nodiscard]] long double median_step() const;
   [[nodiscard]] bool is_pair(const Pair& pair) const;
 
   const RecordingReader<D>& recording_;

@@ -1,8 +1,6 @@
 #include "core/query/search.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,8 +14,8 @@
 namespace kerf {
 namespace {
 
-bool is_change(std::optional<double> before, double now, Change change) {
-  if (change == Change::becomes_true) return now != 0 && (!before || *before == 0);
+bool is_change(const std::optional<ConditionNumber>& before, const ConditionNumber& now, Change change) {
+  if (change == Change::becomes_true) return now.is_true() && (!before || !before->is_true());
   return before && *before != now;
 }
 
@@ -116,7 +114,7 @@ std::optional<Position> Search<D>::forward_change(const Expression& expression, 
                                                   Change change, const Progress& progress) {
   const DefaultFloats floats;
   check(expression);
-  std::optional<double> before = last_value(expression, from);
+  std::optional<ConditionNumber> before = last_value(expression, from);
   for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
     if (progress && !progress(step)) return std::nullopt;
     for (const ValueAt& now : values_in(expression, step)) {
@@ -166,8 +164,8 @@ void Search<D>::visit_events(const Expression& expression, std::uint32_t step, V
 template <int D>
 auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> std::vector<ValueAt> {
   std::vector<ValueAt> values;
-  const auto add = [&](const Position& at, double x) {
-    if (!std::isnan(x)) values.push_back({at, x});
+  const auto add = [&](const Position& at, const ConditionNumber& x) {
+    if (x.exists()) values.push_back({at, x});
   };
   if (!expression.asks_events()) {
     add(Position::end_of(step), value(expression, Position::end_of(step)));
@@ -179,7 +177,7 @@ auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> s
 }
 
 template <int D>
-std::optional<double> Search<D>::last_value(const Expression& expression, const Position& up_to) {
+std::optional<ConditionNumber> Search<D>::last_value(const Expression& expression, const Position& up_to) {
   for (std::uint32_t step = std::min(up_to.step, recording_->steps()); step > 0; --step) {
     const std::vector<ValueAt> values = values_in(expression, step);
     for (auto now = values.rbegin(); now != values.rend(); ++now)
@@ -189,10 +187,10 @@ std::optional<double> Search<D>::last_value(const Expression& expression, const 
 }
 
 template <int D>
-double Search<D>::value(const Expression& expression, const Position& at) {
+ConditionNumber Search<D>::value(const Expression& expression, const Position& at) {
   const DefaultFloats floats;
   check(expression);
-  double result = std::numeric_limits<double>::quiet_NaN();
+  ConditionNumber result;
   if (at.step == 0) return result;
   const auto ask = [&](const Event* event, const Bsp<D, Watch>* tree, const std::vector<Pair>* before) {
     result = kerf::value(expression, RecordedMoment<D>(*recording_, at.step, event, tree, before, medians_));

@@ -47,9 +47,9 @@ class Search {
   std::optional<Position> backward_change(const Expression& expression, const Position& from, Change change,
                                           const Progress& progress = {});
 
-  /// The value of an expression right after an event or at the end of a step; NaN for a value that does not
-  /// exist there, and for everything before the first step.
-  double value(const Expression& expression, const Position& at);
+  /// The value of an expression right after an event or at the end of a step; none for a value that does
+  /// not exist there, and for everything before the first step.
+  ConditionNumber value(const Expression& expression, const Position& at);
 
  private:
   /// The first or the last of a step's moments between two.
@@ -61,10 +61,10 @@ class Search {
 
   struct ValueAt {
     Position position;
-    double value = 0;
+    ConditionNumber value;
   };
   std::vector<ValueAt> values_in(const Expression& expression, std::uint32_t step);
-  std::optional<double> last_value(const Expression& expression, const Position& up_to);
+  std::optional<ConditionNumber> last_value(const Expression& expression, const Position& up_to);
 
   template <class Visit>
   void visit_events(const Expression& expression, std::uint32_t step, Visit visit);

@@ -159,7 +159,7 @@ class RecordingOf final : public PythonRecording {
     const auto values = undisturbed([&] {
       std::vector<double> found;
       for (std::uint32_t step = 1; step <= steps() && !interrupts.requested(); ++step)
-        found.push_back(search().value(expression, Position::end_of(step)));
+        found.push_back(search().value(expression, Position::end_of(step)).nearest);
       return found;
     });
     interrupts.rethrow();

@@ -58,9 +58,9 @@ void add_stops(Facts& facts, const DebuggerModel& model) {
   }
   facts["watches"] = std::to_string(model.watches().size());
   for (std::size_t k = 0; k < model.watches().size(); ++k) {
-    const double value = model.watches()[k].value;
+    const ConditionNumber& value = model.watches()[k].value;
     facts["watch_hits" + std::to_string(k)] = std::to_string(model.watches()[k].hits);
-    facts["watch" + std::to_string(k)] = std::isnan(value) ? "none" : number_text(value);
+    facts["watch" + std::to_string(k)] = value.exists() ? to_text(value) : "none";
   }
 }
 

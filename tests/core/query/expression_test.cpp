@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <map>
 
 #include "core/query/evaluate.h"
@@ -18,13 +17,17 @@ using ::testing::HasSubstr;
 class Given final : public Moment {
  public:
   std::map<Variable, double> numbers;
+  std::map<Variable, GivenId> ids;
   std::vector<Happening> happening;
 
-  [[nodiscard]] double number(Variable variable) const override {
+  [[nodiscard]] ConditionNumber number(Variable variable) const override {
+    if (const auto id = ids.find(variable); id != ids.end()) return ConditionNumber::of(id->second);
     const auto found = numbers.find(variable);
-    return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    return found == numbers.end() ? ConditionNumber() : ConditionNumber::measured(found->second);
   }
-  [[nodiscard]] double median(Variable variable) const override { return number(variable) / 4; }
+  [[nodiscard]] ConditionNumber median(Variable variable) const override {
+    return ConditionNumber::measured(number(variable).nearest / 4);
+  }
   [[nodiscard]] bool happens(const ExpressionPart& part) const override {
     return part.a == GivenId::of(12) && std::ranges::find(happening, part.happening) != happening.end();
   }
@@ -155,6 +158,38 @@ TEST(Expression, NamesStandForWhatTheMomentSays) {
   EXPECT_TRUE(is_true("step_time>2*median", moment));
   EXPECT_TRUE(is_true("step_time==4*median(step_time)", moment));
   EXPECT_TRUE(is_true("redundancy==4*median(redundancy)", moment));
+}
+
+/// As doubles, ids beyond 2^53 met their neighbours.
+TEST(Expression, IdsAreComparedWithAllTheirDigits) {
+  Given moment;
+  moment.ids = {{Variable::object, {false, 9007199254740993}}};
+  moment.numbers = {{Variable::redundancy, 0.1}};
+  for (const char* const text :
+       {"object==9007199254740993", "object!=9007199254740992", "object>9007199254740992",
+        "object<9007199254740994", "object<=9007199254740993", "object>=9007199254740993",
+        "object-1==9007199254740992", "9007199254740992+1==object", "-object<-9007199254740992",
+        "object==9007199254740993 && redundancy==0.1", "redundancy==10%", "redundancy==1/10"})
+    EXPECT_TRUE(is_true(text, moment)) << text;
+  for (const char* const text :
+       {"object==9007199254740992", "object==9007199254740994", "object!=9007199254740993",
+        "object<=9007199254740992", "object>=9007199254740994", "object+1==9007199254740993"})
+    EXPECT_FALSE(is_true(text, moment)) << text;
+  moment.ids = {{Variable::object, {false, UINT64_MAX}}};
+  EXPECT_TRUE(is_true("object==18446744073709551615 && object!=18446744073709551614", moment));
+  moment.ids = {{Variable::object, {true, 9223372036854775807}}};
+  EXPECT_TRUE(is_true("object==-9223372036854775807 && object>-9223372036854775808", moment));
+}
+
+TEST(Expression, AValueIsShownWithAllDigitsOfAnId) {
+  Given moment;
+  moment.ids = {{Variable::object, {false, UINT64_MAX}}, {Variable::step, {true, 12'345'678}}};
+  moment.numbers = {{Variable::redundancy, 0.125}};
+  const auto text = [&moment](const char* of) { return to_text(value(Expression::parse_value(of), moment)); };
+  EXPECT_EQ(text("object"), "18446744073709551615");
+  EXPECT_EQ(text("step"), "-12345678");
+  EXPECT_EQ(text("redundancy"), "0.125");
+  EXPECT_EQ(text("1/3"), "0.333333");
 }
 
 TEST(Expression, WhatDoesNotExistIsNeverTrue) {

@@ -187,13 +187,13 @@ TYPED_TEST(SearchTest, ValuesThatChangeAreFoundAtTheSameMomentsBothWays) {
       const Expression expression = Expression::parse_value(text);
       Search<kD> search(this->recording_);
       std::vector<Position> expected;
-      std::optional<double> before;
+      std::optional<ConditionNumber> before;
       (void)this->walk(
           expression.asks_events() ? Granularity::event : Granularity::step, [&](const Cursor<kD>& at) {
-            const double now = search.value(expression, at.position());
-            if (std::isnan(now) || (expression.asks_events() && at.position().is_end())) return false;
-            const bool was = before && *before != 0;
-            const bool changes = change == Change::any ? before && *before != now : now != 0 && !was;
+            const ConditionNumber now = search.value(expression, at.position());
+            if (!now.exists() || (expression.asks_events() && at.position().is_end())) return false;
+            const bool was = before && before->is_true();
+            const bool changes = change == Change::any ? before && *before != now : now.is_true() && !was;
             if (changes) expected.push_back(at.position());
             before = now;
             return false;
@@ -246,8 +246,8 @@ TYPED_TEST(SearchTest, BoxesInDoublesAreAPairAsTheyWereGiven) {
   EXPECT_EQ(this->find_all("pair(0,1) leaves"), std::vector{Position::end_of(3)});
   Search<kD> search(this->recording_);
   const Expression enters = Expression::parse("pair(0,1) enters");
-  EXPECT_EQ(search.value(enters, Position::end_of(2)), 1);
-  EXPECT_EQ(search.value(enters, Position::end_of(3)), 0);
+  EXPECT_TRUE(search.value(enters, Position::end_of(2)).is_true());
+  EXPECT_FALSE(search.value(enters, Position::end_of(3)).is_true());
 }
 
 }  // namespace

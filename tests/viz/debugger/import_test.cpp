@@ -68,7 +68,7 @@ class ImportedRun : public testing::Test {
       model_->run_to_breakpoint(forwards);
       if (model_->breakpoints[0].hits == hits) return stops;
       EXPECT_TRUE(model_->run().position().is_end());
-      EXPECT_EQ(model_->run().value(Expression::parse(condition)), 1);
+      EXPECT_TRUE(model_->run().value(Expression::parse(condition)).is_true());
       stops.push_back(model_->run().position().step);
     }
   }
@@ -179,6 +179,35 @@ TYPED_TEST(ImportedRun, TheTableHasTheErrorsOfAllSteps) {
   EXPECT_EQ(to_csv(to_texts(table, missed)), "pair,step,verdict\n\"" + table.rows[missed[0]].name +
                                                  "\",7,missed\n\"" + table.rows[missed[1]].name +
                                                  "\",30,missed\n");
+}
+
+/// As doubles, steps beyond 2^53 met their neighbours, and were shown with six digits.
+TEST(StepsOfManyDigits, AreStoppedAtAndShownAsTheyWereGiven) {
+  test::TemporaryRecording file;
+  Bsp<2, EventLog> tree(test::busy_config());
+  RecordingInfo info = test::info_of<2>(test::busy_config());
+  info.imported = true;
+  std::vector<std::string> steps;
+  for (std::uint64_t step = 9'007'199'254'740'992; steps.size() < 4; ++step)
+    steps.push_back(std::to_string(step));
+  info.names = GivenNames({}, steps);
+  Recorder<2> recorder(tree, file.path(), info);
+  test::play_crowd<2>(recorder, 4, 3, [&](std::uint32_t /*step*/) {
+    const std::vector<Pair> none;
+    recorder.add_theirs(none, judge_theirs<2>(none, {{{0}, {1}}}, tree.objects(), TheirWorld<2>(), {}));
+  });
+  recorder.finish();
+  DebuggerModel model(open_run(file.path()));
+  model.go(Position::end_of(2));
+  model.toggle_breakpoint_here();
+  model.go(Position{});
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(model.run().position(), Position::end_of(2));
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(model.run().position(), Position::end_of(2)) << "no other step";
+  model.add_watch("step");
+  EXPECT_EQ(to_text(model.watches()[0].value), steps[1]);
+  EXPECT_EQ(cell_text(table_of_errors(model.run()), 2, 1), steps[2]);
 }
 
 TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {

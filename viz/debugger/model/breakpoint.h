@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/query/expression.h"
@@ -18,9 +17,9 @@ struct Breakpoint {
 /// A watched expression and its value.
 struct WatchedValue {
   Expression expression;
-  double value = std::numeric_limits<double>::quiet_NaN();  ///< at this moment
-  std::optional<Change> stop{};                             ///< the run stops at such a change
-  std::uint32_t hits = 0;                                   ///< times that it stopped the run
+  ConditionNumber value{};       ///< at this moment
+  std::optional<Change> stop{};  ///< the run stops at such a change
+  std::uint32_t hits = 0;        ///< times that it stopped the run
 };
 
 /// The next stop of a run, and its cause.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kVerdictColumn = "verdict";  // its figures stand for words
+constexpr std::string_view kStepColumn = "step";        // its figures are our numbers, by which it is ordered
 constexpr std::string_view kMovesColumn = "moves";      // the same
 
 bool has_word(const FigureTable::Row& row, const std::string& text, bool whole) {
@@ -122,8 +123,9 @@ FigureTable table_of_errors(Run& run) {
     table.rows.push_back({pair,
                           names.pair(pair),
                           {names.object(pair.a), names.object(pair.b), std::string(to_string(verdict))},
-                          {names.step_number(step), static_cast<double>(verdict)},
-                          k});
+                          {static_cast<double>(step), static_cast<double>(verdict)},
+                          k,
+                          names.step(step)});
   }
   return table;
 }
@@ -166,7 +168,8 @@ std::string cell_text(const FigureTable& table, std::size_t row, std::size_t col
   if (column == 0) return of.name;
   const double figure = of.figures[column - 1];
   if (std::isnan(figure)) return "-";
-  if (table.columns[column] == "leaf") return "n" + number_text(figure);
+  if (table.columns[column] == kStepColumn) return of.step;
+  if (table.columns[column] == "leaf") return node_text(NodeId{static_cast<std::uint32_t>(figure)});
   if (std::string word = word_for(figure, table.columns[column]); !word.empty()) return word;
   const bool is_of_pair = table.columns[0] == "pair";
   if (is_of_pair && table.columns[column] == "age" && figure >= kOldestPair) return number_text(figure) + "+";

@@ -23,6 +23,7 @@ struct FigureTable {
     std::vector<std::string> words;           ///< other texts by which it is found
     std::vector<double> figures;              ///< one for each further column; not a number: there is none
     std::optional<std::size_t> wrong_pair{};  ///< its number among the run's, in a table of errors
+    std::string step{};                       ///< as it was given, in a table of errors
   };
   std::vector<std::string> columns;
   std::vector<Row> rows;  ///< by id, then by step

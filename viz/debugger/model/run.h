@@ -189,7 +189,7 @@ class Run {
   /// Throws std::invalid_argument for an expression that the run cannot answer; so do the three others.
   virtual void check(const Expression& expression) = 0;
   /// The value of an expression at this moment; NaN if it does not exist.
-  [[nodiscard]] virtual double value(const Expression& expression) = 0;
+  [[nodiscard]] virtual ConditionNumber value(const Expression& expression) = 0;
 };
 
 /// Opens a recording of either dimension. Throws std::runtime_error that says why it cannot be read.

@@ -82,7 +82,7 @@ class RunOf final : public Run {
                                                       Change change, bool forwards,
                                                       const Progress& progress) override;
   void check(const Expression& expression) override { search_.check(expression); }
-  [[nodiscard]] double value(const Expression& expression) override {
+  [[nodiscard]] ConditionNumber value(const Expression& expression) override {
     return search_.value(expression, position());
   }
 

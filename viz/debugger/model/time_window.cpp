@@ -33,8 +33,8 @@ std::int64_t name_shift(const GivenNames& names) {
   constexpr double kMost = 9e15;  // a double holds every whole number up to here
   if (!names.names_steps()) return 0;
   const auto count = static_cast<std::uint32_t>(names.steps().size());
-  const double first = names.step_number(1);
-  const double last = names.step_number(count);
+  const auto first = static_cast<double>(names.step_number(1));
+  const auto last = static_cast<double>(names.step_number(count));
   if (std::abs(first) > kMost || first != std::round(first) || last - first != count - 1.0) return 0;
   return static_cast<std::int64_t>(first) - 1;
 }

@@ -65,7 +65,7 @@ void draw_watch(PanelContext& context, std::size_t k) {
   widgets::hint("press: stop when it changes, when it becomes true, or not at all (-)");
   if (pressed) context.model.stop_at_watch(k, next_choice(watch.stop));
   ImGui::SameLine();
-  const std::string text = std::isnan(watch.value) ? "-" : number_text(watch.value);
+  const std::string text = watch.value.exists() ? to_text(watch.value) : "-";
   const std::string hits = watch.hits > 0 ? " " + std::to_string(watch.hits) + "x" : "";
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize((" = " + text + hits).c_str()).x;
   widgets::text_within(context.gui, watch.expression.text(), palette::kInk, room);

@@ -49,8 +49,7 @@ TextTable table_of_stops(PanelContext& context) {
                           !watch.stop                  ? "no"
                           : *watch.stop == Change::any ? "when it changes"
                                                        : "when it is true",
-                          std::to_string(watch.hits), std::isnan(watch.value) ? "" : number_text(watch.value),
-                          ""});
+                          std::to_string(watch.hits), watch.value.exists() ? to_text(watch.value) : "", ""});
   for (const auto& [moment, note] : model.bookmarks)
     table.rows.push_back({"bookmark", to_string(moment, model.run().names()), "", "", "", note});
   return table;
