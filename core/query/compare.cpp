@@ -9,11 +9,17 @@
 #include "core/base/float_mode.h"
 #include "core/base/median.h"
 #include "core/base/shortest_text.h"
+#include "core/query/common_numbers.h"
+#include "core/query/compare_trees.h"
+#include "core/query/object_bound.h"
 #include "core/recording/shape_rows.h"
+#include "core/replay/replayer.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
+
+using Of = CommonNumbers::Of;
 
 RecordingSummary summary(std::span<const StepRow> rows, bool complete) {
   RecordingSummary result;
@@ -64,20 +70,24 @@ bool same_looks(const std::vector<LookChange<D>>& a, const std::vector<Shape<D>>
   });
 }
 
+bool same_body(const Event& a, const Event& b, CommonNumbers& numbers) {
+  if (numbers.are_own()) return a.body == b.body;
+  return numbers.renumbered(Of::a, a.body) == numbers.renumbered(Of::b, b.body);
+}
+
 std::optional<EventDifference> first_difference(const std::vector<Event>& a, const std::vector<Event>& b,
-                                                bool (*counts)(const Event&)) {
+                                                bool (*counts)(const Event&), CommonNumbers& numbers) {
   auto in_a = a.begin();
   auto in_b = b.begin();
   for (;; ++in_a, ++in_b) {
     in_a = std::find_if(in_a, a.end(), counts);
     in_b = std::find_if(in_b, b.end(), counts);
-    if (in_a == a.end() || in_b == b.end() || in_a->body != in_b->body) break;
+    if (in_a == a.end() || in_b == b.end() || !same_body(*in_a, *in_b, numbers)) break;
   }
   if (in_a == a.end() && in_b == b.end()) return std::nullopt;
   EventDifference difference;
   if (in_a != a.end()) difference.a = *in_a;
   if (in_b != b.end()) difference.b = *in_b;
-  difference.step = difference.a ? difference.a->step : difference.b->step;
   return difference;
 }
 
@@ -104,11 +114,12 @@ std::vector<std::string> only_in(const std::vector<NamedPair>& a, const std::vec
 
 template <int D>
 std::optional<TheirDifference> their_difference(const RecordingReader<D>& a, const RecordingReader<D>& b,
-                                                std::uint32_t step) {
-  const std::vector<NamedPair> of_a = named(a.their_pairs(step), a.info().names);
-  const std::vector<NamedPair> of_b = named(b.their_pairs(step), b.info().names);
-  if (of_a == of_b && a.their_step(step).has_value() == b.their_step(step).has_value()) return std::nullopt;
-  return TheirDifference{step, only_in(of_a, of_b), only_in(of_b, of_a)};
+                                                const CommonSteps::Step& step) {
+  const std::vector<NamedPair> of_a = named(a.their_pairs(step.a), a.info().names);
+  const std::vector<NamedPair> of_b = named(b.their_pairs(step.b), b.info().names);
+  if (of_a == of_b && a.their_step(step.a).has_value() == b.their_step(step.b).has_value())
+    return std::nullopt;
+  return TheirDifference{step.a, only_in(of_a, of_b), only_in(of_b, of_a)};
 }
 
 std::string margin_text(const Margin& margin) {
@@ -194,53 +205,149 @@ bool same_structure(const std::optional<TheirStructure<D>>& a, const std::option
   return a.has_value() == b.has_value() && (!a || a->nodes == b->nodes);
 }
 
-/// What only imports have.
+/// The objects that a recording has or names, rising.
 template <int D>
-void compare_theirs(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t step,
-                    RecordingComparison& result) {
-  if (!result.step_names && a.info().names.step(step) != b.info().names.step(step)) result.step_names = step;
-  if (!a.info().imported && !b.info().imported) return;
-  if (!result.requests && a.their_changes(step) != b.their_changes(step)) result.requests = step;
-  if (!result.theirs) result.theirs = their_difference(a, b, step);
-  if (!result.verdicts && a.judged_pairs(step) != b.judged_pairs(step)) result.verdicts = step;
-  if (!result.structures && !same_structure(a.their_structure(step), b.their_structure(step)))
-    result.structures = step;
+std::vector<GivenId> names_of(RecordingReader<D>& recording) {
+  const std::span<const GivenId> names = recording.info().names.objects();
+  std::vector<GivenId> all(names.begin(), names.end());
+  if (!all.empty()) return all;
+  for (std::uint32_t id = 0, bound = object_bound(recording); id < bound; ++id)
+    all.push_back(GivenId::of(id));
+  return all;
 }
 
-/// What the tree is given.
-template <int D>
-void compare_given(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t step,
-                   RecordingComparison& result) {
-  if (!result.config && config_of(a.info(), step) != config_of(b.info(), step)) result.config = step;
-  if (!result.requests && !same_requests(a.step(step).requests, b.step(step).requests))
-    result.requests = step;
-  if (!result.shapes && !same_looks(a.step(step).looks, a.shapes(), b.step(step).looks, b.shapes()))
-    result.shapes = step;
+std::vector<std::string> only_in(const std::vector<GivenId>& a, const std::vector<GivenId>& b) {
+  std::vector<GivenId> only;
+  std::ranges::set_difference(a, b, std::back_inserter(only));
+  std::vector<std::string> texts;
+  for (const GivenId& name : only) texts.push_back(to_string(name));
+  return texts;
 }
+
+/// Two recordings, step by step, their objects and steps by what they are called.
+template <int D>
+class Comparing {
+ public:
+  Comparing(RecordingReader<D>& a, RecordingReader<D>& b)
+      : a_(a), b_(b), numbers_(a.info().names, b.info().names) {}
+
+  RecordingComparison run() {
+    result_.a = summary(a_.rows(), a_.info().complete);
+    result_.b = summary(b_.rows(), b_.info().complete);
+    compare_names();
+    result_.declared = compare_declared(a_.info(), b_.info());
+    CommonSteps steps = common_steps(a_.info().names, a_.steps(), b_.info().names, b_.steps());
+    for (const CommonSteps::Step& step : steps.both) {
+      compare_given(step);
+      compare_events(step);
+      numbers_.are_own() ? compare_hashes(step) : compare_replayed(step);
+      if (a_.info().imported || b_.info().imported) compare_theirs(step);
+    }
+    result_.steps_only_a = std::move(steps.only_a);
+    result_.steps_only_b = std::move(steps.only_b);
+    return std::move(result_);
+  }
+
+ private:
+  using Step = CommonSteps::Step;
+
+  void compare_names() {
+    const GivenNames& a = a_.info().names;
+    const GivenNames& b = b_.info().names;
+    for (std::uint32_t step = 1; step <= std::min(a_.steps(), b_.steps()) && !result_.step_names; ++step)
+      if (a.step(step) != b.step(step)) result_.step_names = step;
+    result_.object_names = !numbers_.are_own() || numbers_.renumbered(Of::a, a_.info().marks) !=
+                                                      numbers_.renumbered(Of::b, b_.info().marks);
+    if (numbers_.are_own()) return;
+    const std::vector<GivenId> of_a = names_of(a_);
+    const std::vector<GivenId> of_b = names_of(b_);
+    result_.objects_only_a = only_in(of_a, of_b);
+    result_.objects_only_b = only_in(of_b, of_a);
+  }
+
+  /// What the tree is given.
+  void compare_given(const Step& step) {
+    if (!result_.config && config_of(a_.info(), step.a) != config_of(b_.info(), step.b))
+      result_.config = step.a;
+    const auto renumbered = [&](const auto& of_a, const auto& of_b, auto same) {
+      if (numbers_.are_own()) return same(of_a, of_b);
+      return same(numbers_.renumbered(Of::a, of_a), numbers_.renumbered(Of::b, of_b));
+    };
+    const RecordedStep<D>& a = a_.step(step.a);
+    const RecordedStep<D>& b = b_.step(step.b);
+    if (!result_.requests && !renumbered(a.requests, b.requests, same_requests<D>)) result_.requests = step.a;
+    const auto look_alike = [&](const auto& x, const auto& y) {
+      return same_looks(x, a_.shapes(), y, b_.shapes());
+    };
+    if (!result_.shapes && !renumbered(a.looks, b.looks, look_alike)) result_.shapes = step.a;
+  }
+
+  void compare_events(const Step& step) {
+    const auto differs = [&](bool (*counts)(const Event&)) {
+      auto difference = first_difference(a_.step(step.a).events, b_.step(step.b).events, counts, numbers_);
+      if (difference) difference->step = step.a;
+      return difference;
+    };
+    if (!result_.events) result_.events = differs(is_event);
+    if (result_.events && !result_.operators) result_.operators = differs(is_outcome);
+  }
+
+  void compare_hashes(const Step& step) {
+    const StepRow& a = a_.row(step.a);
+    const StepRow& b = b_.row(step.b);
+    if (!result_.state && a.state_hash != b.state_hash) result_.state = step.a;
+    if (!result_.pairs && a.pairs_hash != b.pairs_hash) result_.pairs = step.a;
+  }
+
+  /// Hashes are of numbers, so the trees run again.
+  void compare_replayed(const Step& step) {
+    if (result_.state && result_.pairs) return;
+    const Bsp<D, Watch>& a = replayed(a_, a_again_, step.a);
+    const Bsp<D, Watch>& b = replayed(b_, b_again_, step.b);
+    if (!result_.state && !same_trees(a.state(), b.state(), numbers_)) result_.state = step.a;
+    const auto pairs = [this](Of of, const Bsp<D, Watch>& tree) {
+      return numbers_.renumbered(of, std::vector<Pair>(tree.pairs().begin(), tree.pairs().end()));
+    };
+    if (!result_.pairs && pairs(Of::a, a) != pairs(Of::b, b)) result_.pairs = step.a;
+  }
+
+  static const Bsp<D, Watch>& replayed(RecordingReader<D>& recording, std::optional<Replayer<D>>& again,
+                                       std::uint32_t step) {
+    if (!again) again.emplace(std::shared_ptr<RecordingReader<D>>(std::shared_ptr<void>(), &recording));
+    again->seek(step);
+    return again->tree();
+  }
+
+  /// What only imports have.
+  void compare_theirs(const Step& step) {
+    const auto differ = [&](const auto& of_a, const auto& of_b) {
+      if (numbers_.are_own()) return of_a != of_b;
+      return numbers_.renumbered(Of::a, of_a) != numbers_.renumbered(Of::b, of_b);
+    };
+    if (!result_.requests && differ(a_.their_changes(step.a), b_.their_changes(step.b)))
+      result_.requests = step.a;
+    if (!result_.theirs) result_.theirs = their_difference(a_, b_, step);
+    if (!result_.verdicts && differ(a_.judged_pairs(step.a), b_.judged_pairs(step.b)))
+      result_.verdicts = step.a;
+    if (!result_.structures && !same_structure(numbers_.renumbered(Of::a, a_.their_structure(step.a)),
+                                               numbers_.renumbered(Of::b, b_.their_structure(step.b))))
+      result_.structures = step.a;
+  }
+
+  RecordingReader<D>& a_;
+  RecordingReader<D>& b_;
+  CommonNumbers numbers_;
+  std::optional<Replayer<D>> a_again_;  ///< none until it is needed
+  std::optional<Replayer<D>> b_again_;
+  RecordingComparison result_;
+};
 
 }  // namespace
 
 template <int D>
 RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
   const DefaultFloats floats;
-  RecordingComparison result;
-  result.a = summary(a.rows(), a.info().complete);
-  result.b = summary(b.rows(), b.info().complete);
-  result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects()) ||
-                        a.info().marks != b.info().marks;
-  result.declared = compare_declared(a.info(), b.info());
-  for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
-    if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
-    if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;
-    compare_given(a, b, step, result);
-    const auto differs = [&](bool (*counts)(const Event&)) {
-      return first_difference(a.step(step).events, b.step(step).events, counts);
-    };
-    if (!result.events) result.events = differs(is_event);
-    if (result.events && !result.operators) result.operators = differs(is_outcome);
-    compare_theirs(a, b, step, result);
-  }
-  return result;
+  return Comparing<D>(a, b).run();
 }
 
 template RecordingComparison compare<2>(RecordingReader<2>&, RecordingReader<2>&);

@@ -31,7 +31,7 @@ struct EventDifference {
   friend bool operator==(const EventDifference&, const EventDifference&) = default;
 };
 
-/// The first step in which the pairs that two imports' engines reported differ.
+/// The first step of both in which the pairs that two imports' engines reported differ.
 struct TheirDifference {
   std::uint32_t step = 0;
   std::vector<std::string>
@@ -39,7 +39,8 @@ struct TheirDifference {
   std::vector<std::string> only_b;
 };
 
-/// Where two recordings first differ. Steps that only one of them has do not count; `steps` has their number.
+/// Where two recordings first differ, objects and steps being those that are called the same; steps are A's
+/// numbers. Steps that only one of them has are not compared; `steps` has how many each has.
 struct RecordingComparison {
   RecordingSummary a;
   RecordingSummary b;
@@ -55,12 +56,21 @@ struct RecordingComparison {
   std::optional<std::uint32_t> verdicts;    ///< of imports: first step with another judgement of them
   std::optional<std::uint32_t> structures;  ///< of imports: first step with another structure, or with none
   std::optional<std::uint32_t> step_names;  ///< the first step of another name
-  bool object_names = false;                ///< objects have other names, labels or colours
-  std::vector<std::string> declared;        ///< what was declared, rounded or decided otherwise, a line each
+  std::vector<std::string> steps_only_a;    ///< names of steps that only one has, if either names its steps
+  std::vector<std::string> steps_only_b;
+  std::vector<std::string> objects_only_a;  ///< ids of objects that only one has or names
+  std::vector<std::string> objects_only_b;
+  bool object_names = false;          ///< objects have other names, labels or colours
+  std::vector<std::string> declared;  ///< what was declared, rounded or decided otherwise, a line each
 
   [[nodiscard]] bool one_unfinished() const { return a.complete != b.complete; }
   /// What came after the last step of either could not be compared.
   [[nodiscard]] bool both_unfinished() const { return !a.complete && !b.complete; }
+  /// What is said of what differs nowhere.
+  [[nodiscard]] const char* same_words() const {
+    return steps_only_a.empty() && steps_only_b.empty() ? "are the same"
+                                                        : "are the same in the steps that both have";
+  }
   /// Of two that are unfinished: as far as they go.
   [[nodiscard]] bool same() const {
     return !requests && !config && !shapes && !state && !pairs && !events && !theirs && !verdicts &&

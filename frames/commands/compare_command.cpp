@@ -71,52 +71,92 @@ Json as_json(const RecordingComparison& comparison, const GivenNames& a, const G
             {"structures", step(comparison.structures)},
             {"step_names", step(comparison.step_names)}}},
           {"same_object_names", !comparison.object_names},
+          {"a_only_steps", comparison.steps_only_a},
+          {"b_only_steps", comparison.steps_only_b},
+          {"a_only_objects", comparison.objects_only_a},
+          {"b_only_objects", comparison.objects_only_b},
           {"declared", comparison.declared},
           {"not_compared", not_compared(comparison, a)},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
 }
 
-void print_first(const char* what, const std::optional<std::uint32_t>& step, const GivenNames& names) {
-  if (step) {
-    std::printf("%-10s differ first in step %s\n", what, names.step(*step).c_str());
-  } else {
-    std::printf("%-10s are the same\n", what);
-  }
-}
-
-void print_first(const char* what, const std::optional<EventDifference>& difference, const GivenNames& a,
-                 const GivenNames& b) {
-  print_first(what, step_of(difference), a);
-  if (!difference) return;
-  const auto text = [](const std::optional<Event>& event, const GivenNames& names) {
-    return event ? describe(*event, names) : "nothing more";
-  };
-  std::printf("  A: %s\n  B: %s\n", text(difference->a, a).c_str(), text(difference->b, b).c_str());
-}
-
-/// The first few pairs that only one of two engines reported.
-void print_only(const char* which, const std::vector<std::string>& pairs) {
+/// The first few of what only one of two has.
+void print_only(const char* before, const std::vector<std::string>& all) {
   constexpr std::size_t kMost = 10;
-  if (pairs.empty()) return;
-  std::printf("  only %s reported", which);
-  for (std::size_t k = 0; k < std::min(kMost, pairs.size()); ++k) std::printf(" (%s)", pairs[k].c_str());
-  if (pairs.size() > kMost) std::printf(" and %zu more", pairs.size() - kMost);
+  if (all.empty()) return;
+  std::printf("%s", before);
+  for (std::size_t k = 0; k < std::min(kMost, all.size()); ++k) std::printf(" %s", all[k].c_str());
+  if (all.size() > kMost) std::printf(" and %zu more", all.size() - kMost);
   std::printf("\n");
 }
 
-/// What only imports have.
-void print_theirs(const RecordingComparison& comparison, const GivenNames& names) {
-  print_first("names", comparison.step_names, names);
-  if (comparison.object_names) std::printf("%-10s of objects differ\n", "names");
-  print_first("theirs", step_of(comparison.theirs), names);
-  if (comparison.theirs) {
-    print_only("A", comparison.theirs->only_a);
-    print_only("B", comparison.theirs->only_b);
+/// The lines that say where two recordings first differ.
+class FirstLines {
+ public:
+  FirstLines(const RecordingComparison& comparison, const RecordingInfo& a, const RecordingInfo& b)
+      : comparison_(comparison), a_(a), b_(b) {}
+
+  void print() const {
+    print_only("steps      only A has", comparison_.steps_only_a);
+    print_only("steps      only B has", comparison_.steps_only_b);
+    print_only("objects    only A names", comparison_.objects_only_a);
+    print_only("objects    only B names", comparison_.objects_only_b);
+    line("requests", comparison_.requests);
+    line("configs", comparison_.config);
+    line("shapes", comparison_.shapes);
+    line("events", comparison_.events);
+    if (comparison_.operators && comparison_.operators == comparison_.events) {
+      std::printf("%-10s differ first there, too\n", "operators");
+    } else {
+      line("operators", comparison_.operators);
+    }
+    line("trees", comparison_.state);
+    line("pairs", comparison_.pairs);
+    if (a_.imported || b_.imported) print_theirs();
   }
-  print_first("verdicts", comparison.verdicts, names);
-  print_first("structures", comparison.structures, names);
-}
+
+ private:
+  void line(const char* what, const std::optional<std::uint32_t>& step) const {
+    if (step) {
+      std::printf("%-10s differ first in step %s\n", what, a_.names.step(*step).c_str());
+    } else {
+      std::printf("%-10s %s\n", what, comparison_.same_words());
+    }
+  }
+
+  void line(const char* what, const std::optional<EventDifference>& difference) const {
+    line(what, step_of(difference));
+    if (!difference) return;
+    const auto text = [](const std::optional<Event>& event, const GivenNames& names) {
+      return event ? describe(*event, names) : "nothing more";
+    };
+    std::printf("  A: %s\n  B: %s\n", text(difference->a, a_.names).c_str(),
+                text(difference->b, b_.names).c_str());
+  }
+
+  /// What only imports have.
+  void print_theirs() const {
+    line("names", comparison_.step_names);
+    if (comparison_.object_names) std::printf("%-10s of objects differ\n", "names");
+    line("theirs", step_of(comparison_.theirs));
+    if (comparison_.theirs) {
+      print_only("  only A reported", in_brackets(comparison_.theirs->only_a));
+      print_only("  only B reported", in_brackets(comparison_.theirs->only_b));
+    }
+    line("verdicts", comparison_.verdicts);
+    line("structures", comparison_.structures);
+  }
+
+  static std::vector<std::string> in_brackets(std::vector<std::string> pairs) {
+    for (std::string& pair : pairs) pair = "(" + pair + ")";
+    return pairs;
+  }
+
+  const RecordingComparison& comparison_;
+  const RecordingInfo& a_;
+  const RecordingInfo& b_;
+};
 
 void print_ends(const RecordingComparison& comparison, const GivenNames& names) {
   const auto text = [](const RecordingSummary& run) { return run.complete ? "yes" : "no"; };
@@ -146,21 +186,9 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
 }
 
 void print(const RecordingComparison& comparison, const RecordingInfo& a, const RecordingInfo& b) {
-  const GivenNames& names = a.names;
-  print_first("requests", comparison.requests, names);
-  print_first("configs", comparison.config, names);
-  print_first("shapes", comparison.shapes, names);
-  print_first("events", comparison.events, names, b.names);
-  if (comparison.operators && comparison.operators == comparison.events) {
-    std::printf("%-10s differ first there, too\n", "operators");
-  } else {
-    print_first("operators", comparison.operators, names, b.names);
-  }
-  print_first("trees", comparison.state, names);
-  print_first("pairs", comparison.pairs, names);
-  if (a.imported || b.imported) print_theirs(comparison, names);
+  FirstLines(comparison, a, b).print();
   for (const std::string& line : comparison.declared) std::printf("declared   %s\n", line.c_str());
-  print_ends(comparison, names);
+  print_ends(comparison, a.names);
   print_figures(comparison.a, comparison.b);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/query/text.h"
@@ -42,13 +43,22 @@ void draw_figures(const RecordingComparison& comparison) {
 }
 
 void draw_difference(PanelContext& context, const char* what, const std::optional<std::uint32_t>& step) {
-  if (!step) return ImGui::TextDisabled("%s are the same", what);
+  if (!step) return ImGui::TextDisabled("%s %s", what, context.model.comparison().same_words());
   ImGui::Text("%s differ first in", what);
   ImGui::SameLine();
   const std::string label = "step " + context.model.run().names().step(*step) + "##" + what;
   const bool pressed = ImGui::SmallButton(label.c_str());
   context.gui.name_last_item(std::string("first different ") + what, label);
   if (pressed) context.model.go(Position::end_of(*step));
+}
+
+/// The first few of what only one of two has.
+void draw_only(std::string text, const std::vector<std::string>& all) {
+  constexpr std::size_t kMost = 5;
+  if (all.empty()) return;
+  for (std::size_t k = 0; k < std::min(kMost, all.size()); ++k) text += " " + all[k];
+  if (all.size() > kMost) text += " and " + std::to_string(all.size() - kMost) + " more";
+  widgets::wrapped_text(text);
 }
 
 std::string text_of(const std::optional<Event>& event, const GivenNames& names) {
@@ -128,6 +138,10 @@ void draw_compare(PanelContext& context) {
                        ImGui::GetContentRegionAvail().x);
   draw_other_moment(model);
   const RecordingComparison& comparison = model.comparison();
+  draw_only("steps only here:", comparison.steps_only_a);
+  draw_only("steps only in the other:", comparison.steps_only_b);
+  draw_only("objects only here:", comparison.objects_only_a);
+  draw_only("objects only in the other:", comparison.objects_only_b);
   draw_difference(context, "requests", comparison.requests);
   draw_difference(context, "events", comparison.events);
   draw_operators(context, comparison);
