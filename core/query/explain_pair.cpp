@@ -175,6 +175,8 @@ std::string their_text(const PairExplanation<D>& e, const GivenNames& names) {
   const std::string how = e.rounding == BoundRounding{} ? "floats round it" : "its text may be rounded";
   const std::string rounding = rounded ? ", as " + how : "";
   std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared, rounding) : "";
+  if (e.their_verdict == PairVerdict::missed && e.margin == 0)
+    text += "they only touch: if what touches was rounded as it was written, they may have been apart\n";
   if (*e.their_times > 1) text += "the other engine reported it " + counted(*e.their_times, "time") + "\n";
   return text;
 }

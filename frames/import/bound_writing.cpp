@@ -33,6 +33,7 @@ struct Decimal {
   bool has_point = false;
   bool ends_in_zero = false;  ///< before an exponent
   bool has_exponent = false;
+  bool has_plus = false;  ///< before its exponent, as programs write it
 };
 
 Decimal read_decimal(std::string_view text) {
@@ -51,12 +52,16 @@ Decimal read_decimal(std::string_view text) {
   }
   if (at == text.size()) return number;
   number.has_exponent = true;
-  text.remove_prefix(std::min(at + (text.substr(at + 1).starts_with('+') ? 2 : 1), text.size()));
+  number.has_plus = text.substr(at + 1).starts_with('+');
+  text.remove_prefix(std::min(at + (number.has_plus ? 2 : 1), text.size()));
   std::int64_t exponent = 0;
   std::from_chars(text.data(), text.data() + text.size(), exponent);
   number.decimals -= std::clamp<std::int64_t>(exponent, -400, 400);
   return number;
 }
+
+/// False of 1e+06, as %g writes a number of which it has no room for the last digits.
+bool has_room(const Decimal& number) { return !number.has_plus || number.decimals >= 0; }
 
 /// Whether the text is a whole number over a power of two, which needs no rounding. Where whole numbers have
 /// an exponent, there was no room for more digits.
@@ -110,6 +115,13 @@ void DigitStatistics::note(std::string_view text, double value) {
   const auto decimals = static_cast<std::size_t>(
       std::clamp<std::int64_t>(number.decimals, 0, static_cast<std::int64_t>(kMostDecimals)));
   const bool is_small = number.has_exponent && std::abs(value) < 1;  // as JavaScript writes 0.00001
+  most_of_all_ = std::max(most_of_all_, digits);
+  has_full_whole_ |= number.digits == kDigitsOfG && !number.has_point && !number.has_exponent;
+  if (!has_room(number) && std::abs(value) < kHuge) {
+    const auto room =
+        static_cast<std::size_t>(static_cast<std::int64_t>(number.digits) - number.decimals) - 1;
+    least_room_ = std::min(room, least_room_.value_or(room));
+  }
   has_exponent_ |= number.has_exponent;
   has_large_exponent_ |= number.has_exponent && !is_small;
   const bool is_counted = number.decimals <= static_cast<std::int64_t>(kMostDecimals);
@@ -198,11 +210,18 @@ bool DigitStatistics::is_cut() const {
   return most_digits_ >= kLeastShort && longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
 }
 
+/// Whether all may be of a program that writes so few digits that some whole numbers have no room, as 1e+06
+/// by %g: any number from 999999.5 to 1000005 has this text.
+bool DigitStatistics::lacks_room() const {
+  return least_room_ && *least_room_ >= kDigitsOfG && most_of_all_ <= kDigitsOfG;
+}
+
 BoundRounding DigitStatistics::rounding() const {
   const auto decimals = static_cast<std::uint32_t>(most_decimals_);
   if (is_fixed() || is_trimmed()) return {0, decimals, are_floats()};
-  if (is_whole() || !is_cut()) return {};
-  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+  if (!is_whole() && is_cut()) return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+  if (!lacks_room()) return {};
+  return {static_cast<std::uint32_t>(kDigitsOfG), 0, are_floats()};
 }
 
 /// The most digits that more than a few numbers have.
@@ -237,12 +256,16 @@ BoundRounding DigitStatistics::suspected() const {
 void BoundWriting::Plane::note(double min, double max) {
   holds &= min == max && min == at.value_or(min);
   at = min;
+  if (max > min) least = std::min(least, max - min);
 }
 
 void BoundWriting::note(int axis, std::string_view min, std::string_view max) {
   const auto from = note(min);
   const auto to = note(max);
-  if (from && to) planes_[static_cast<std::size_t>(axis)].note(*from, *to);
+  if (!from || !to) return;
+  Plane& plane = planes_[static_cast<std::size_t>(axis)];
+  plane.note(*from, *to);
+  plane.has_room &= has_room(read_decimal(min));
 }
 
 /// The number, unless it is huge.
@@ -254,12 +277,31 @@ std::optional<double> BoundWriting::note(std::string_view text) {
   return is_huge ? std::nullopt : value;
 }
 
-/// Boxes that all have the same text are no planes: all of each was rounded away.
+/// Nothing but whole numbers shows that they may have been rounded.
+bool BoundWriting::may_be_whole_only() const {
+  return rounding() == BoundRounding{} && counted().suspected() == BoundRounding{} && usual_.may_lack_room();
+}
+
+BoundRounding BoundWriting::suspected() const {
+  constexpr std::uint32_t kDigitsOfG = 6;
+  return with_planes(may_be_whole_only() ? BoundRounding{.digits = kDigitsOfG} : counted().suspected());
+}
+
+double BoundWriting::suspected_from() const {
+  constexpr double kNoDecimals = 1e5;  // six digits leave none
+  return may_be_whole_only() ? kNoDecimals : 0;
+}
+
+/// Boxes that all have the same text are no planes: all of each was rounded away. Nor are boxes whose extent
+/// may have been, as that of all beside 1e+06.
 BoundRounding BoundWriting::with_planes(BoundRounding rounding) const {
   const auto may_differ = [](const Plane& plane) { return plane.at && !plane.holds; };
   if (rounding == BoundRounding{} || std::ranges::none_of(planes_, may_differ)) return rounding;
-  for (std::size_t axis = 0; axis < planes_.size(); ++axis)
-    if (planes_[axis].at && planes_[axis].holds) rounding.planes |= 1U << axis;
+  const double least = std::ranges::min(planes_, {}, &Plane::least).least;
+  for (std::size_t axis = 0; axis < planes_.size(); ++axis) {
+    const auto& [at, holds, has_room, extent] = planes_[axis];
+    if (at && holds && has_room && lost_of(rounding, *at) < least) rounding.planes |= 1U << axis;
+  }
   return rounding;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,14 @@ class DigitStatistics {
   /// be sure; also of two digits, or one decimal, of dozens of numbers. None where `rounding()` has one.
   [[nodiscard]] BoundRounding suspected() const;
   /// Whether there are numbers that are no binary fractions, or have zeros that say how they were written.
-  [[nodiscard]] bool has_rounded() const { return rounded_ > 0 || has_zeros_; }
+  [[nodiscard]] bool has_rounded() const { return rounded_ > 0 || has_zeros_ || lacks_room(); }
+  /// Whether there are whole numbers of six digits and no number has more: where %g has no room for decimals.
+  [[nodiscard]] bool may_lack_room() const { return has_full_whole_ && most_of_all_ <= kDigitsOfG; }
 
  private:
   static constexpr std::size_t kMostDigits = 17;
   static constexpr std::size_t kMostDecimals = 30;
+  static constexpr std::size_t kDigitsOfG = 6;  ///< that %g writes
 
   /// Numbers that are no binary fractions, and so were rounded or are decimals by intent.
   struct Seen {
@@ -44,6 +48,7 @@ class DigitStatistics {
   };
 
   void note_float(double value, double unit);
+  [[nodiscard]] bool lacks_room() const;
   [[nodiscard]] bool are_floats() const;
   [[nodiscard]] bool are_rounded(std::size_t least_digits) const;
   [[nodiscard]] bool is_whole() const;
@@ -58,6 +63,7 @@ class DigitStatistics {
   std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without a large exponent
   Seen with_point_{};                                  ///< all numbers that have one
   std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent
+  std::size_t most_of_all_ = 0;                        ///< of all numbers
   std::size_t most_decimals_ = 0;                      ///< of all numbers with a point, and small ones
   std::size_t least_decimals_ = kMostDecimals;
   bool has_more_decimals_ = false;  ///< than are counted
@@ -65,6 +71,8 @@ class DigitStatistics {
   std::uint64_t rounded_ = 0;
   std::uint64_t open_floats_ = 0;  ///< of them those of which many floats have the text
   std::uint64_t open_doubles_ = 0;
+  std::optional<std::size_t> least_room_;  ///< digits that the shortest numbers like 1e+06 may have at most
+  bool has_full_whole_ = false;            ///< a whole number of six digits
   bool has_exponent_ = false;
   bool has_large_exponent_ = false;  ///< of a number beyond 1
   bool may_be_floats_ = true;        ///< each is the nearest float, written with as many digits
@@ -80,13 +88,19 @@ class BoundWriting {
   void note(int axis, std::string_view min, std::string_view max);
 
   [[nodiscard]] BoundRounding rounding() const { return with_planes(counted().rounding()); }
-  [[nodiscard]] BoundRounding suspected() const { return with_planes(counted().suspected()); }
+  [[nodiscard]] BoundRounding suspected() const;
+  /// From where on bounds are suspected: where only whole numbers of six digits may have been rounded,
+  /// smaller ones were written whole.
+  [[nodiscard]] double suspected_from() const;
 
  private:
+  [[nodiscard]] bool may_be_whole_only() const;
   /// Whether all boxes are flat at one number along an axis.
   struct Plane {
     std::optional<double> at;
     bool holds = true;
+    bool has_room = true;                                    ///< its text has, see lacks_room
+    double least = std::numeric_limits<double>::infinity();  ///< extent of a box that is not flat
     void note(double min, double max);
   };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -246,7 +247,11 @@ class Import {
     if (one.verdict != PairVerdict::missed) return false;
     const auto& objects = tree_.objects();
     const GivenBox<D> a = world_.box(objects, one.pair.a);
-    return undecided_axis(survey_.suspected, a, world_.box(objects, one.pair.b)).has_value();
+    const GivenBox<D> b = world_.box(objects, one.pair.b);
+    const auto axis = undecided_axis(survey_.suspected, a, b);
+    if (!axis) return false;
+    const auto at = static_cast<std::size_t>(*axis);
+    return std::abs(a.min[at] == b.max[at] ? a.min[at] : b.min[at]) >= survey_.suspected_from;
   }
 
   void note_few_digits(const Pair& pair, const GivenStep& step) {

@@ -169,6 +169,7 @@ Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::
   if (result.digits && result.digits->nodes.coarse) note_coarse(nodes_name, trees.digits, oddities);
   result.rounding = read.writing.rounding();
   result.suspected = read.writing.suspected();
+  result.suspected_from = read.writing.suspected_from();
   for (const GivenPairs& of_step : pairs)
     for (const GivenPair& pair : of_step.pairs) {
       for (const GivenId& id : {pair.a, pair.b}) check_sign(id, result.objects, pairs_name, pair.line);

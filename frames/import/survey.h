@@ -20,6 +20,7 @@ struct Survey {
   std::optional<TheirDigits> digits{};  ///< of boxes and nodes, if there are both
   BoundRounding rounding{};             ///< of the boxes' bounds
   BoundRounding suspected{};            ///< of bounds that are too few to be sure
+  double suspected_from = 0;            ///< smaller ones are sure
 
   [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
   /// Whether what a node holds is one: -1 is none, unless it has a line.

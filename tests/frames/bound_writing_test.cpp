@@ -145,6 +145,30 @@ TEST(BoundWriting, TooFewNumbersAreSuspected) {
   EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
 }
 
+/// %g leaves nothing of boxes that lie far out: a right engine was accused of missing all of their pairs.
+TEST(BoundWriting, NumbersWithoutRoomForTheirLastDigitsAreRounded) {
+  EXPECT_EQ(rounding_of({"1e+06", "1e+06"}), (BoundRounding{6, 0, false}));
+  EXPECT_EQ(rounding_of({"0.5", "1.01e+06"}), (BoundRounding{6, 0, false}));
+  EXPECT_EQ(rounding_of({"12.3", "-1.2E+03"}), BoundRounding()) << "%.3g is suspected at most";
+  EXPECT_EQ(rounding_of({"1e6", "1e3"}), BoundRounding()) << "written by hand";
+  EXPECT_EQ(rounding_of({"1.00000000e+09"}), BoundRounding()) << "all of a float";
+  EXPECT_EQ(rounding_of({"1.5e+00", "1.25e+02"}), BoundRounding()) << "no whole number";
+  EXPECT_EQ(rounding_of({"1e+06", "1234567"}), BoundRounding()) << "which has 7 digits";
+  EXPECT_EQ(rounding_of({"1e+06", "0.1234567"}), BoundRounding()) << "the same";
+  EXPECT_EQ(rounding_of({"1e+30", "0.5"}), BoundRounding()) << "no bound";
+}
+
+/// Where six digits leave no decimals, whole numbers may be what %g left.
+TEST(BoundWriting, WholeNumbersOfSixDigitsAreSuspected) {
+  EXPECT_EQ(writing_of({"123456", "123457", "0.5"}).suspected(), (BoundRounding{6, 0, false}));
+  EXPECT_EQ(writing_of({"123456", "123457", "0.5"}).suspected_from(), 1e5);
+  EXPECT_EQ(writing_of({"0.123457"}).suspected_from(), 0);
+  EXPECT_EQ(rounding_of({"123456", "123457", "0.5"}), BoundRounding());
+  EXPECT_EQ(writing_of({"12345", "99999"}).suspected(), BoundRounding());
+  EXPECT_EQ(writing_of({"123456", "1234567"}).suspected(), BoundRounding());
+  EXPECT_EQ(writing_of({"123456", "1.00000012"}).suspected(), BoundRounding());
+}
+
 /// A grid of halves is exact; one of tenths may be one, or what rounding left.
 TEST(BoundWriting, DozensOfShortNumbersAreSuspected) {
   Random random(11);

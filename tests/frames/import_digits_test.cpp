@@ -158,6 +158,33 @@ TEST_F(ImportDigits, FlatBoxesWithTheSameTextAreOpen) {
   EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
 }
 
+/// A right engine was accused of missing nearly all pairs, and nothing was said to be odd.
+TEST_F(ImportDigits, BoxesOfOneTextFarOutAreOpen) {
+  for (const char* const high : {"1", "2000"}) {
+    std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
+    int object = 0;
+    for (const Two<double>& two : touching<double>(7))
+      for (const auto& [from, to] : {two.a, two.b})
+        boxes += "1," + std::to_string(object++) + "," + printed("%g", 1e6 + from / 1e4) + "," +
+                 printed("%g", 1e6 + to / 1e4) + ",0," + high + "\n";
+    EXPECT_THAT(imported("a", write("boxes.csv", boxes), {"--pairs", write("none.csv", "step,a,b\n")}),
+                HasSubstr(": 0 missed, 0 extra, 0 twice, 0 ignored, 7140 undecided in the 6 digits"));
+    EXPECT_THAT(explained("a", "1", "2,3"), HasSubstr("that were written they touch along x"));
+  }
+}
+
+/// They may be what %g left, or meant: the pair is missed, and it is said what that hangs on.
+TEST_F(ImportDigits, WholeNumbersOfSixDigitsThatTouchAreOdd) {
+  const auto odd = HasSubstr("odd: 1 pair that may touch only in the digits that were written");
+  EXPECT_THAT(verdict("123400,123456", "123456,123500", false), AllOf(HasSubstr(" 1 missed, 0 extra"), odd));
+  EXPECT_THAT(explained("a", "1", "0,1"),
+              HasSubstr("the other engine missed it\nthey only touch: if what touches was rounded as it was "
+                        "written, they may have been apart\n"));
+  EXPECT_THAT(verdict("123400,123457", "123456,123500", false), Not(odd)) << "they overlap";
+  EXPECT_THAT(explained("a", "1", "0,1"), Not(HasSubstr("they only touch")));
+  EXPECT_THAT(verdict("12340,12345", "12345,12350", false), Not(odd)) << "there %g has decimals";
+}
+
 /// What people write by hand is what they mean.
 TEST_F(ImportDigits, ShortNumbersAreJudged) {
   for (const std::string at : {"1", "1.0", "0.5", "0.1", "2.25", "1.0078125", "0.30000000000000004"})
