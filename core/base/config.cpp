@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/base/assignments.h"
+#include "core/base/float_mode.h"
 #include "core/base/number_text.h"
 
 namespace kerf {
@@ -118,6 +119,7 @@ bool vanishes(std::string_view text) {
 
 template <class T>
 T parse(const ConfigField& field, std::string_view text) {
+  const DefaultFloats floats;  // std::from_chars may round as the caller does
   const auto value = read_number<T>(text);
   if (std::is_same_v<T, float> && value.value_or(0) == 0 && vanishes(text))
     throw std::invalid_argument("parameter " + std::string(field.name) + ": '" + std::string(text) +

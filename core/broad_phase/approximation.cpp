@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/base/assignments.h"
+#include "core/base/float_mode.h"
 #include "core/base/number_text.h"
 
 namespace kerf {
@@ -16,6 +17,7 @@ constexpr std::array<std::string_view, 5> kNames{"period", "margin", "filter", "
 
 template <class T>
 T parse(std::string_view name, std::string_view text) {
+  const DefaultFloats floats;  // std::from_chars may round as the caller does
   const auto value = read_number<T>(text);
   if (!value)
     throw std::invalid_argument("parameter " + std::string(name) + ": '" + std::string(text) +

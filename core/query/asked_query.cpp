@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/number_text.h"
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
@@ -83,6 +84,7 @@ std::string form_of(QueryKind kind) {
 
 template <int D>
 AskedQuery<D> parse_query(QueryKind kind, std::string_view numbers) {
+  const DefaultFloats floats;
   const auto parsed = parse_coordinates(numbers);
   if (!parsed || parsed->size() != numbers_of<D>(kind)) refuse<D>(kind, numbers);
   const Vector<D> first = vector_at<D>(*parsed, 0);
@@ -115,6 +117,7 @@ AskedQuery<D> parse_query(std::string_view text) {
 
 template <int D>
 std::string to_text(const AskedQuery<D>& query) {
+  const DefaultFloats floats;
   return std::visit(
       Overloaded{[](const Ray<D>& ray) {
                    return "the ray from " + vector_text(ray.origin) + " along " + vector_text(ray.direction);

@@ -93,6 +93,7 @@ EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id) {
 
 template <int D>
 std::string to_text(const EventExplanation<D>& e, const GivenNames& names) {
+  const DefaultFloats floats;
   std::string text = describe(e.event, names) + "\n";
   if (!e.reason.empty()) text += e.reason + "\n";
   if (e.scheduled) text += "listed by " + describe(*e.scheduled, names) + "\n";

@@ -84,6 +84,7 @@ NodeExplanation<D> explain_node(RecordingReader<D>& recording, const Position& a
 
 template <int D>
 std::string to_text(const NodeExplanation<D>& e, const GivenNames& names) {
+  const DefaultFloats floats;
   std::string text = "after " + (e.at.is_end() ? "" : to_string(e.at, names) + " of ") + "step " +
                      names.step(e.at.step) + ", " + node_text(e.id);
   if (!e.alive) {

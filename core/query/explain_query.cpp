@@ -262,6 +262,7 @@ QueryExplanation<D> explain_query(Replayer<D>& replayer, std::uint32_t step, con
 
 template <int D>
 std::string to_text(const QueryExplanation<D>& e, const GivenNames& names) {
+  const DefaultFloats floats;
   std::string text = "after " + to_string(e.at, names) + ", " + to_text(e.query);
   if (e.status != QueryStatus::ok)
     return text + " cannot be asked: " + std::string(to_string(e.status)) + "\n";
@@ -274,6 +275,7 @@ std::string to_text(const QueryExplanation<D>& e, const GivenNames& names) {
 
 template <int D>
 std::string summary(const QueryExplanation<D>& e) {
+  const DefaultFloats floats;
   const std::string kind =
       (is_point<D>(e.query) ? "point" : std::string(kQueryKindNames[e.query.index()])) + ": ";
   if (e.status != QueryStatus::ok) return kind + std::string(to_string(e.status));

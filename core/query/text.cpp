@@ -4,9 +4,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/nearest_long_doubles.h"
+
 namespace kerf {
 
 std::string number_text(double x, int digits) {
+  const NearestLongDoubles nearest;
   std::array<char, 40> text{};
   const int size = std::snprintf(text.data(), text.size(), "%.*g", digits, x);
   return {text.data(), static_cast<std::size_t>(size)};

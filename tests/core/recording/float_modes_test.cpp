@@ -10,7 +10,13 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/config.h"
 #include "core/base/random.h"
+#include "core/query/explain_event.h"
+#include "core/query/explain_node.h"
+#include "core/query/explain_query.h"
+#include "core/query/expression.h"
+#include "core/query/text.h"
 #include "core/recording/recorder.h"
 #include "core/recording/recording_reader.h"
 #include "core/replay/cursor.h"
@@ -148,6 +154,49 @@ TYPED_TEST(RecordedModes, ACursorSeesTheSameStatesAndCandidates) {
   const auto usual = look(kCallerModes[0]);
   EXPECT_GT(usual.size(), 20U);
   for (const CallerMode& mode : kCallerModes) EXPECT_EQ(look(mode), usual) << mode.name;
+}
+
+/// Texts of floats were written as the caller rounds, and denormals as 0.
+TYPED_TEST(RecordedModes, SentencesAreTheSame) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording file;
+  const auto given = given_boxes<kD>();
+  record_in<kD>(given, file.path(), kCallerModes[0]);
+  const auto look = [&](const CallerMode& mode) {
+    const InCallerMode caller(mode);
+    Replayer<kD> replayer(std::make_shared<RecordingReader<kD>>(file.path()));
+    const GivenNames names;
+    std::string text = number_text(0.65000049999) + "\n";
+    for (std::uint64_t event = 0; event < 200; ++event)
+      text += to_text(explain_event(replayer, event), names);
+    for (const std::uint32_t node : {0U, 1U, 2U}) text += to_text(explain_node(replayer, 20, {node}), names);
+    for (const char* const query : {"sphere 0.1,0.1,0.3", "ray 0.1,0.1,0.7,0.3", "box 0,0,1e-40,1e-40"}) {
+      if (kD == 3) break;
+      text += to_text(explain_query(replayer, 20, parse_query<kD>(query)), names);
+    }
+    return text + to_text(explain_query(replayer, 20, AskedQuery<kD>(given[0][1])), names);
+  };
+  const std::string usual = look(kCallerModes[0]);
+  EXPECT_NE(usual.find("candidates:"), std::string::npos);
+  EXPECT_NE(usual.find("e-4"), std::string::npos) << "denormals";
+  for (const CallerMode& mode : kCallerModes) EXPECT_EQ(look(mode), usual) << mode.name;
+}
+
+/// With a caller that rounds down, 0.1 was read as the double below.
+TEST(TextInEveryMode, IsReadAsTheSameNumber) {
+  Config usual;
+  set(usual, "max_redundancy", "0.1");
+  const GivenNames names({},
+                         {"2024-05-01T12:00:00.001", "2024-05-01T12:00:00.016", "2024-05-01T12:00:00.033"});
+  for (const CallerMode& mode : kCallerModes) {
+    const InCallerMode caller(mode);
+    Config config;
+    set(config, "max_redundancy", "0.1");
+    EXPECT_EQ(config, usual) << mode.name;
+    EXPECT_EQ(Expression::parse("redundancy<10%").parts()[1].number.nearest, 0.1) << mode.name;
+    for (std::uint32_t step = 1; step <= 3; ++step)
+      EXPECT_EQ(names.find_step(names.step(step)), step) << mode.name;
+  }
 }
 
 }  // namespace
