@@ -9,7 +9,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr int kCellWidth = 46;
+constexpr int kCellWidth = 56;  ///< of five letters, such as -810k, and some room beside them
 constexpr int kCellHeight = 24;
 constexpr int kMargin = 24;
 constexpr int kCaseWidth = 560;   ///< of the column that names the cases
