@@ -195,9 +195,8 @@ void bind_comparison(py::module_& module) {
   using Comparison = RecordingComparison;
   py::class_<Comparison>(
       module, "Comparison",
-      "Where two recordings first differ: each member is a step (int), or None; but same, object_names,\n"
-      "one_unfinished and both_unfinished are bool, and declared and what only one has are lists of str.\n"
-      "Objects and steps of the two are those that are called the same; steps are numbers of this one.")
+      "Where two recordings first differ: each member is a step (int) of this one, or None; but same,\n"
+      "object_names, one_unfinished, both_unfinished are bool, declared, steps_only_a and the like lists.")
       .def("__reduce__", refuse_pickling("Comparison", kTakeValues))
       .def_property_readonly("same", &Comparison::same,
                              "bool: nothing differs; of two that are unfinished, as far as they go.")
@@ -222,11 +221,9 @@ void bind_comparison(py::module_& module) {
       .def_readonly("structures", &Comparison::structures,
                     "Of imports: first step with another structure of the other engine.")
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
-      .def_readonly("steps_only_a", &Comparison::steps_only_a,
-                    "list of str: names of steps that only this one has; they are not compared.")
+      .def_readonly("steps_only_a", &Comparison::steps_only_a, "list of str: steps of this one only.")
       .def_readonly("steps_only_b", &Comparison::steps_only_b, "The same of the other one.")
-      .def_readonly("objects_only_a", &Comparison::objects_only_a,
-                    "list of str: ids of objects that only this one has or names.")
+      .def_readonly("objects_only_a", &Comparison::objects_only_a, "list of str: objects of this one only.")
       .def_readonly("objects_only_b", &Comparison::objects_only_b, "The same of the other one.")
       .def_readonly("object_names", &Comparison::object_names,
                     "bool: objects have other names, labels or colours.")
