@@ -225,8 +225,7 @@ void bind_comparison(py::module_& module) {
       .def_readonly("steps_only_b", &Comparison::steps_only_b, "The same of the other one.")
       .def_readonly("objects_only_a", &Comparison::objects_only_a, "list of str: objects of this one only.")
       .def_readonly("objects_only_b", &Comparison::objects_only_b, "The same of the other one.")
-      .def_readonly("object_names", &Comparison::object_names,
-                    "bool: objects have other names, labels or colours.")
+      .def_readonly("object_names", &Comparison::object_names, "bool: names, labels or colours differ.")
       .def_readonly("declared", &Comparison::declared,
                     "list of str: what was declared, rounded or decided otherwise (margin, pairs to be "
                     "ignored, digits, decisions, scene), a line each.")
