@@ -3,7 +3,7 @@
 
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
-#include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/scene_entries.h"
 
 namespace kerf::inline sims2d {

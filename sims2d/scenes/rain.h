@@ -5,6 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/scene/shape.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/world.h"
 
@@ -49,6 +50,25 @@ class Rain {
   std::size_t recycled_ = 0;          ///< so far; objects take turns
   Scalar row_height_ = 0;             ///< of the row being filled, now
   std::vector<std::uint32_t> slots_;  ///< those still free in this row; the last is next
+};
+
+/// The difference between two of these scenes: the fixed bodies and the rain of objects onto them.
+struct RainPlan {
+  Needs needs;
+  std::vector<BodyPlan> fixed;
+  Band band;
+  Growth growth;
+};
+
+/// A scene in which more and more objects fall onto fixed bodies. The fixed bodies are the first objects.
+class RainScene final : public WorldScene<2, Box2dWorld> {
+ public:
+  RainScene(BroadPhase<2>& broad_phase, const RainPlan& plan, std::uint64_t seed);
+
+ private:
+  void act() override { rain_.fall(world(), step() + 1); }
+
+  Rain rain_;
 };
 
 }  // namespace kerf::inline sims2d

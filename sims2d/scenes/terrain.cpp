@@ -4,7 +4,7 @@
 #include "core/base/random.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
-#include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/scene_entries.h"
 
 namespace kerf::inline sims2d {

@@ -29,17 +29,12 @@ constexpr Needs kNeeds{.dimension = 3,
                        .separating = {true, true, true},
                        .contacts = true};
 
-WorldSettings weightless() {
-  WorldSettings physics;
-  physics.gravity = 0;
-  physics.sleep.allowed = false;
-  return physics;
-}
+constexpr WorldSettings kWeightless{.gravity = 0, .sleep = {.allowed = false}};
 
 class AttractorScene final : public WorldScene<3, OdeWorld> {
  public:
   AttractorScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
-      : WorldScene(broad_phase, kNeeds, options.seed, weightless()) {
+      : WorldScene(broad_phase, kNeeds, options.seed, kWeightless) {
     Random random(options.seed);
     add_objects(random, options.objects);
     const double of_a_cloud = static_cast<double>(options.objects) / kAttractors;

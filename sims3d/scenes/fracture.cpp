@@ -34,12 +34,7 @@ constexpr Needs kNeeds{.dimension = 3,
                        .separating = {true, true, true},
                        .contacts = true};
 
-WorldSettings weightless() {
-  WorldSettings physics;
-  physics.gravity = 0;
-  physics.sleep.allowed = false;
-  return physics;
-}
+constexpr WorldSettings kWeightless{.gravity = 0, .sleep = {.allowed = false}};
 
 Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
@@ -50,7 +45,7 @@ Shape<3> cube(Scalar half) { return Brick<3>{{{half, half, half}}}; }
 class FractureScene final : public WorldScene<3, OdeWorld> {
  public:
   FractureScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
-      : WorldScene(broad_phase, kNeeds, options.seed, weightless()) {
+      : WorldScene(broad_phase, kNeeds, options.seed, kWeightless) {
     Random random(options.seed);
     const std::uint32_t blocks = std::max(1U, options.objects / kFragments);
     const auto side = static_cast<std::uint32_t>(std::ceil(std::cbrt(blocks)));

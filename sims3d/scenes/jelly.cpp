@@ -48,11 +48,7 @@ struct Softness {
   Vector<2> breath;    ///< a point on a circle of radius `kBreath`
 };
 
-WorldSettings sleepless() {
-  WorldSettings physics;
-  physics.sleep.allowed = false;
-  return physics;
-}
+constexpr WorldSettings kSleepless{.sleep = {.allowed = false}};
 
 /// A turn by the angle whose half has this tangent: exact on the circle, without a library's sine.
 Vector<2> turned(const Vector<2>& point, Scalar half_tangent) {
@@ -86,7 +82,7 @@ Brick<3> deformed(const Softness& soft) {
 class JellyScene final : public WorldScene<3, OdeWorld> {
  public:
   JellyScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
-      : WorldScene(broad_phase, kNeeds, options.seed, sleepless()) {
+      : WorldScene(broad_phase, kNeeds, options.seed, kSleepless) {
     const double a_layer = static_cast<double>(options.objects) / kLayers;
     const auto side = std::max(2U, static_cast<std::uint32_t>(std::ceil(std::sqrt(a_layer))));
     const Scalar half = kPitch * static_cast<Scalar>(side) / 2;

@@ -32,16 +32,12 @@ constexpr Needs kNeeds{.dimension = 3,
                        .separating = {true, true, true},
                        .contacts = true};
 
-WorldSettings wild() {
-  WorldSettings physics;
-  physics.max_speed = kBlockSpeed;
-  return physics;
-}
+constexpr WorldSettings kWild{.max_speed = kBlockSpeed, .sleep = {}};
 
 class ProjectileScene final : public WorldScene<3, OdeWorld> {
  public:
   ProjectileScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
-      : WorldScene(broad_phase, kNeeds, options.seed, wild()), random_(options.seed) {
+      : WorldScene(broad_phase, kNeeds, options.seed, kWild), random_(options.seed) {
     const std::uint32_t blocks = options.objects - 1;
     const std::uint32_t wide = (blocks + kLayers * kDepth - 1) / (kLayers * kDepth);
     half_width_ = kPitch * static_cast<Scalar>(std::max(wide, kDepth)) / 2;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/scenes.h"
 
 namespace kerf {
