@@ -25,20 +25,12 @@ std::string percent(double fraction) {
   return padded((tenths < 0 ? "-" : "") + digits, 5) + " %";
 }
 
-std::vector<flow::Piece> pieces_of(const Font& font, std::span<const CaptionItem> items) {
-  std::vector<flow::Piece> pieces;
-  for (const CaptionItem& item : items)
-    pieces.push_back(
-        {font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value)), item.begins_line});
-  return pieces;
-}
-
 /// The step first, if it has no place on one of the first lines.
 std::vector<CaptionItem> with_step_in(int lines, const Font& font, int picture_width,
                                       std::vector<CaptionItem> items) {
   const auto step = std::ranges::find(items, "step", &CaptionItem::word);
   if (step == items.end()) return items;
-  const flow::Fitted fitted = flow::fit_caption(font, picture_width, lines, items);
+  const flow::Fitted fitted = flow::fit_across(font, picture_width, lines, flow::pieces_of(font, items));
   if (static_cast<std::size_t>(step - items.begin()) >= fitted.shown)
     std::rotate(items.begin(), step, step + 1);
   return items;
@@ -83,14 +75,12 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
   return items;
 }
 
-std::vector<flow::Spot> flow::arrange_caption(const Font& font, int picture_width,
-                                              std::span<const CaptionItem> items) {
-  return arrange_across(font, picture_width, pieces_of(font, items));
-}
-
-flow::Fitted flow::fit_caption(const Font& font, int picture_width, int lines,
-                               std::span<const CaptionItem> items) {
-  return fit_across(font, picture_width, lines, pieces_of(font, items));
+std::vector<flow::Piece> flow::pieces_of(const Font& font, std::span<const CaptionItem> items) {
+  std::vector<Piece> pieces;
+  for (const CaptionItem& item : items)
+    pieces.push_back(
+        {font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value)), item.begins_line});
+  return pieces;
 }
 
 void draw_caption(const View& view, const Font& font, const Layout& layout,
@@ -102,7 +92,7 @@ void draw_caption(const View& view, const Font& font, const Layout& layout,
   const int room = (layout.caption_height - pad) / font.line_height();
   const int picture_width = static_cast<int>(view.picture_width);
   const std::vector<CaptionItem> items = with_step_in(room, font, picture_width, all_items);
-  const flow::Fitted fitted = flow::fit_caption(font, picture_width, room, items);
+  const flow::Fitted fitted = flow::fit_across(font, picture_width, room, flow::pieces_of(font, items));
   const std::size_t letters = font.letters(picture_width - 2 * pad);
   for (std::size_t i = 0; i < fitted.spots.size(); ++i) {
     const int y = pad + fitted.spots[i].line * font.line_height();

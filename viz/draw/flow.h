@@ -24,6 +24,8 @@ struct Piece {
 /// Begins a new line where a piece asks for it and before each piece that would cross `right`.
 std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int right);
 int lines(std::span<const Spot> spots);
+/// Of a band that has so many lines.
+int band_height(const Font& font, int lines);
 
 /// What stands behind the last piece that has room.
 inline constexpr const char* kMore = "...";
@@ -34,10 +36,8 @@ struct Fitted {
   std::vector<Spot> spots;
 };
 
-std::vector<Spot> arrange_caption(const Font& font, int picture_width, std::span<const CaptionItem> items);
-std::vector<Spot> arrange_legend(const Font& font, int picture_width, std::span<const LegendItem> items);
-Fitted fit_caption(const Font& font, int picture_width, int lines, std::span<const CaptionItem> items);
-Fitted fit_legend(const Font& font, int picture_width, int lines, std::span<const LegendItem> items);
+std::vector<Piece> pieces_of(const Font& font, std::span<const CaptionItem> items);
+std::vector<Piece> pieces_of(const Font& font, std::span<const LegendItem> items);
 /// Pieces across the picture, with two letters between them.
 std::vector<Spot> arrange_across(const Font& font, int picture_width, std::span<const Piece> pieces);
 Fitted fit_across(const Font& font, int picture_width, int lines, std::span<const Piece> pieces);

@@ -10,10 +10,6 @@ namespace {
 constexpr double kMostCaption = 0.34;
 constexpr double kMostLegend = 0.22;
 
-int band_height(const Font& font, int lines) {
-  return lines == 0 ? 0 : lines * font.line_height() + 2 * flow::padding(font);
-}
-
 int most_lines(const Font& font, int height, double part) {
   return static_cast<int>(part * height) / font.line_height();
 }
@@ -37,6 +33,10 @@ std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int 
 
 int lines(std::span<const Spot> spots) { return spots.empty() ? 0 : spots.back().line + 1; }
 
+int band_height(const Font& font, int lines) {
+  return lines == 0 ? 0 : lines * font.line_height() + 2 * padding(font);
+}
+
 std::vector<Spot> arrange_across(const Font& font, int picture_width, std::span<const Piece> pieces) {
   return arrange(pieces, 2 * font.advance(), padding(font), picture_width - padding(font));
 }
@@ -58,11 +58,14 @@ int font_pixels(int picture_height) { return std::clamp(picture_height / 40, 11,
 
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend) {
-  const int caption_lines = flow::lines(flow::arrange_caption(font, width, caption)) + (has_log ? 1 : 0);
-  const int legend_lines = flow::lines(flow::arrange_legend(font, width, legend));
+  const int caption_lines =
+      flow::lines(flow::arrange_across(font, width, flow::pieces_of(font, caption))) + (has_log ? 1 : 0);
+  const int legend_lines = flow::lines(flow::arrange_across(font, width, flow::pieces_of(font, legend)));
   Layout layout;
-  layout.caption_height = band_height(font, std::min(caption_lines, most_lines(font, height, kMostCaption)));
-  layout.legend_height = band_height(font, std::min(legend_lines, most_lines(font, height, kMostLegend)));
+  layout.caption_height =
+      flow::band_height(font, std::min(caption_lines, most_lines(font, height, kMostCaption)));
+  layout.legend_height =
+      flow::band_height(font, std::min(legend_lines, most_lines(font, height, kMostLegend)));
   layout.scene = {0, static_cast<double>(layout.caption_height), static_cast<double>(width),
                   static_cast<double>(height - layout.caption_height - layout.legend_height)};
   return layout;

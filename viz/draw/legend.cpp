@@ -1,4 +1,3 @@
-
 #include "viz/draw/flow.h"
 #include "viz/draw/letters.h"
 #include "viz/draw/overlay.h"
@@ -12,13 +11,6 @@ int swatch_width(const Font& font, Swatch swatch) {
   const bool is_block = swatch == Swatch::moving || swatch == Swatch::fixed || swatch == Swatch::straddler ||
                         swatch == Swatch::highlight;
   return (swatch == Swatch::population ? 6 : is_block ? 2 : 3) * font.advance();
-}
-
-std::vector<flow::Piece> pieces_of(const Font& font, std::span<const LegendItem> items) {
-  std::vector<flow::Piece> pieces;
-  for (const LegendItem& item : items)
-    pieces.push_back({swatch_width(font, item.swatch) + font.advance() + font.width(item.text)});
-  return pieces;
 }
 
 /// Draws swatches into the box of one line of text.
@@ -129,14 +121,11 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
   return items;
 }
 
-std::vector<flow::Spot> flow::arrange_legend(const Font& font, int picture_width,
-                                             std::span<const LegendItem> items) {
-  return arrange_across(font, picture_width, pieces_of(font, items));
-}
-
-flow::Fitted flow::fit_legend(const Font& font, int picture_width, int lines,
-                              std::span<const LegendItem> items) {
-  return fit_across(font, picture_width, lines, pieces_of(font, items));
+std::vector<flow::Piece> flow::pieces_of(const Font& font, std::span<const LegendItem> items) {
+  std::vector<Piece> pieces;
+  for (const LegendItem& item : items)
+    pieces.push_back({swatch_width(font, item.swatch) + font.advance() + font.width(item.text)});
+  return pieces;
 }
 
 void draw_legend(const View& view, const Font& font, const Layout& layout,
@@ -149,7 +138,8 @@ void draw_legend(const View& view, const Font& font, const Layout& layout,
   const int pad = flow::padding(font);
   const int right = static_cast<int>(view.picture_width) - pad;
   const int room = (layout.legend_height - pad) / font.line_height();
-  const auto [shown, spots] = flow::fit_legend(font, static_cast<int>(view.picture_width), room, items);
+  const auto [shown, spots] =
+      flow::fit_across(font, static_cast<int>(view.picture_width), room, flow::pieces_of(font, items));
   const auto y_of = [&](const flow::Spot& spot) {
     return static_cast<int>(top) + pad + spot.line * font.line_height();
   };

@@ -77,9 +77,6 @@ struct PanesRenderer<D>::State {
   State& operator=(const State&) = delete;
 
   [[nodiscard]] bool has(Layer layer) const { return options.layers.has(layer); }
-  [[nodiscard]] int band_height(int lines) const {
-    return lines == 0 ? 0 : lines * font.line_height() + 2 * flow::padding(font);
-  }
 
   void choose_framebuffer(const PaneGrid& grid, int samples) {
     const std::array<int, 3> wanted{grid.width, grid.height, samples};
@@ -196,7 +193,7 @@ struct PanesRenderer<D>::State {
     std::size_t lines = 0;
     for (const StructurePane<D>& pane : frame.panes)
       lines = std::max(lines, pane_lines(pane, frame.is_timed, room_of(grid)).size());
-    const int head = has(Layer::caption) ? band_height(static_cast<int>(lines)) : 0;
+    const int head = has(Layer::caption) ? flow::band_height(font, static_cast<int>(lines)) : 0;
     const StripRoom room = frame.has_strips ? strip_room(D, font) : StripRoom{};
     return {room.left, double(head), grid.width - room.left, grid.height - head - room.bottom};
   }
@@ -266,10 +263,11 @@ struct PanesRenderer<D>::State {
     context->make_current();
     const PanesLegend legend = legend_of(frame, options.layers);
     constexpr double kLegendShare = 0.22;
-    const int above = has(Layer::caption) ? band_height(static_cast<int>(title_of(frame).size())) : 0;
+    const int above =
+        has(Layer::caption) ? flow::band_height(font, static_cast<int>(title_of(frame).size())) : 0;
     const int legend_rows =
         std::min(legend_lines(legend, font, options.width), most_lines(kLegendShare, options.height));
-    const int below = has(Layer::legend) ? band_height(legend_rows) : 0;
+    const int below = has(Layer::legend) ? flow::band_height(font, legend_rows) : 0;
     const int columns = frame.columns > 0 ? frame.columns
                                           : choose_columns(options.width, options.height, frame.panes.size(),
                                                            aspect_of(frame.bounds));

@@ -4,9 +4,6 @@
 
 #include <cstdlib>
 
-#include "viz/gl/egl_context.h"
-#include "viz/gl/osmesa_context.h"
-
 namespace kerf {
 
 /// With vectors of 256 bits llvmpipe drew one pixel of the references differently on processors of Intel and

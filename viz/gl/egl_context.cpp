@@ -1,5 +1,3 @@
-#include "viz/gl/egl_context.h"
-
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>
@@ -8,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+
+#include "viz/gl/context.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "viz/gl/osmesa_context.h"
+#include "viz/gl/context.h"
 
 namespace kerf {
 

@@ -1,5 +1,3 @@
-#include "viz/gl/osmesa_context.h"
-
 #include <GL/osmesa.h>  // after glcorearb.h, which would otherwise leave out half of its types
 #include <dlfcn.h>
 
@@ -7,6 +5,8 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+
+#include "viz/gl/context.h"
 
 namespace kerf {
 namespace {

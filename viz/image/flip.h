@@ -3,10 +3,28 @@
 #include <cstddef>
 #include <vector>
 
-#include "viz/image/convolve.h"
 #include "viz/image/image.h"
 
 namespace kerf {
+
+/// One number a pixel, rows from the top down.
+struct Channel {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+
+  Channel() = default;
+  Channel(int columns, int rows)
+      : width(columns),
+        height(rows),
+        values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+  [[nodiscard]] float* row(int y) {
+    return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  }
+  [[nodiscard]] const float* row(int y) const {
+    return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  }
+};
 
 /// An observer 0.7 m before a screen that shows 3840 pixels on 0.7 m: FLIP's own default.
 inline constexpr double kFlipPixelsPerDegree = 67.02064327658226;

@@ -40,10 +40,11 @@ TEST(Layout, EverythingFitsAtTheUsualSizes) {
     const auto caption = caption_items(large_caption(), true);
     const auto legend = legend_items(LayerSet::all(), 2, true, "1024");
     const Layout layout = make_layout(font, width, height, caption, true, legend);
-    const int rows = flow::lines(flow::arrange_caption(font, width, caption)) + 1;
+    const int rows = flow::lines(flow::arrange_across(font, width, flow::pieces_of(font, caption))) + 1;
     EXPECT_GE(layout.caption_height, rows * font.line_height());
-    EXPECT_GE(layout.legend_height,
-              flow::lines(flow::arrange_legend(font, width, legend)) * font.line_height());
+    EXPECT_GE(
+        layout.legend_height,
+        flow::lines(flow::arrange_across(font, width, flow::pieces_of(font, legend))) * font.line_height());
   }
 }
 
@@ -55,8 +56,8 @@ TEST(Caption, StandsStillWhileNumbersGrow) {
   small.statistics.operators.fill(0);
   Caption large = large_caption();
   large.pairs = large.contacts = 12345;
-  const auto a = flow::arrange_caption(font, 1280, caption_items(small, true, 0));
-  const auto b = flow::arrange_caption(font, 1280, caption_items(large, true, 12345));
+  const auto a = flow::arrange_across(font, 1280, flow::pieces_of(font, caption_items(small, true, 0)));
+  const auto b = flow::arrange_across(font, 1280, flow::pieces_of(font, caption_items(large, true, 12345)));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].x, b[i].x) << i;
