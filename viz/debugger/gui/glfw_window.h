@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "viz/debugger/gui/input.h"
 #include "viz/debugger/gui/input_queue.h"
-#include "viz/debugger/gui/pointer.h"
 #include "viz/gl/context.h"
 
 struct GLFWcursor;

@@ -9,7 +9,6 @@
 #include "viz/debugger/gui/layout_beside.h"
 #include "viz/debugger/gui/panel_area.h"
 #include "viz/debugger/gui/panel_painter.h"
-#include "viz/debugger/gui/pointer.h"
 #include "viz/draw/theme.h"
 
 struct ImGuiContext;

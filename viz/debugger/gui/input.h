@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace kerf {
 
@@ -99,5 +100,9 @@ struct DebuggerInput {
     dropped.clear();
   }
 };
+
+/// The shape of the mouse pointer over what it can do.
+enum class Pointer : std::uint8_t { arrow, text, across, down, hand };
+inline constexpr std::array<std::string_view, 5> kPointerNames{"arrow", "text", "across", "down", "hand"};
 
 }  // namespace kerf

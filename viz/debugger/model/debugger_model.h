@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/query/counterpart.h"
-#include "viz/debugger/model/alarm.h"
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
 #include "viz/debugger/model/ribbons.h"
 #include "viz/debugger/model/run.h"
 #include "viz/debugger/model/timeline.h"
 #include "viz/debugger/model/view_settings.h"
+#include "viz/debugger/model/wrong_pairs.h"
 
 namespace kerf {
 

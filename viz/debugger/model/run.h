@@ -23,9 +23,8 @@
 #include "core/tree/ballot.h"
 #include "core/tree/tree_snapshot.h"
 #include "viz/debugger/model/object_course.h"
-#include "viz/debugger/model/object_figures.h"
-#include "viz/debugger/model/pair_figures.h"
 #include "viz/debugger/model/selection.h"
+#include "viz/debugger/model/state_figures.h"
 #include "viz/debugger/model/wrong_pairs.h"
 
 namespace kerf {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "viz/debugger/model/any_camera.h"
 #include "viz/debugger/model/selection.h"
 #include "viz/debugger/model/time_window.h"
 #include "viz/debugger/model/view_settings.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "core/base/ids.h"
 #include "core/tree/node.h"
@@ -54,5 +55,8 @@ struct ViewSettings {
   }
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
+
+/// What the user chose of a camera, in either dimension.
+using AnyCamera = std::variant<CameraChoice<2>, CameraChoice<3>>;
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,15 @@ class WrongPairWalk {
 
  private:
   std::size_t at_ = 0;  ///< a pair can be wrong in a step more than once: this is the one last gone to
+};
+
+/// How many wrong pairs a step has.
+struct Alarm {
+  std::uint32_t step = 0;
+  std::uint64_t missed = 0;
+  std::uint64_t extra = 0;
+  std::uint64_t twice = 0;
+  [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
 };
 
 }  // namespace kerf

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "viz/debugger/model/any_camera.h"
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/model/view_settings.h"
 #include "viz/debugger/scene/tints.h"
 #include "viz/draw/theme.h"
 #include "viz/gl/framebuffer.h"

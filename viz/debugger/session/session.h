@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "viz/debugger/model/any_camera.h"
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/model/view_settings.h"
 
 namespace kerf {
 
