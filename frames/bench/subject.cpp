@@ -8,9 +8,9 @@
 
 #include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
-#include "frames/rivals/added_work.h"
+#include "frames/rivals/rival.h"
 #include "frames/rivals/step_timer.h"
-#include "frames/support/memory_use.h"
+#include "frames/support/machine.h"
 
 namespace kerf {
 namespace {

@@ -14,9 +14,9 @@
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
-#include "frames/support/parse_whole.h"
-#include "frames/support/part_stream.h"
-#include "frames/support/progress_line.h"
+#include "frames/support/parse_number.h"
+#include "frames/support/progress.h"
+#include "frames/support/result_file.h"
 #include "frames/support/suggest.h"
 
 namespace kerf {

@@ -15,7 +15,7 @@
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
-#include "frames/support/progress_line.h"
+#include "frames/support/progress.h"
 #include "frames/support/result_file.h"
 
 namespace kerf {

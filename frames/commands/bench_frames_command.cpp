@@ -1,14 +1,23 @@
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cstdio>
+#include <exception>
+#include <functional>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/base/counted.h"
 #include "frames/bench_frames/frame_loops.h"
-#include "frames/bench_frames/timed_process.h"
 #include "frames/commands/command.h"
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
@@ -16,13 +25,49 @@
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
 #include "frames/support/outputs.h"
-#include "frames/support/parse_whole.h"
-#include "frames/support/progress_line.h"
+#include "frames/support/parse_number.h"
+#include "frames/support/progress.h"
 #include "frames/support/result_file.h"
 #include "frames/support/scratch_folder.h"
 
 namespace kerf {
 namespace {
+
+/// The time of a piece of work, all its processes together.
+struct ProcessTimes {
+  double wall = 0;  ///< seconds
+  double cpu = 0;   ///< of all processors
+};
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Does the work in a process of its own, so that it inherits no GL, threads or memory. Throws
+/// std::runtime_error if it fails; Interrupted after SIGINT or SIGTERM.
+ProcessTimes run_timed(const std::function<void()>& work) {
+  std::fflush(nullptr);
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t process = fork();
+  if (process < 0) throw std::runtime_error("no process can be made");
+  if (process == 0) {
+    try {
+      work();
+      _exit(0);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "kerf: %s\n", error.what());
+      _exit(1);
+    }
+  }
+  int status = 0;
+  rusage usage{};
+  while (wait4(process, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw std::runtime_error("the process that draws did not end well");
+  return {wall.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime)};
+}
 
 /// The first frames include starting up; they are measured alone and subtracted.
 constexpr std::uint32_t kWarmUp = 4;

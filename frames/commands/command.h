@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace kerf {
 
@@ -34,6 +35,9 @@ class Command {
 
   CLI::App* command_;
 };
+
+/// The options and arguments of a command, those of its option groups, too.
+std::vector<const CLI::Option*> options_of(const CLI::App& command);
 
 using AnyCommand = std::unique_ptr<Command>;
 /// Each adds its subcommand to the program, which must outlive it.

@@ -14,10 +14,9 @@
 #include <vector>
 
 #include "frames/commands/command.h"
-#include "frames/commands/command_options.h"
 #include "frames/commands/exit_codes.h"
 #include "frames/commands/memory_advice.h"
-#include "frames/support/disk_advice.h"
+#include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/suggest.h"
@@ -144,6 +143,17 @@ int run(const CLI::App& program, const std::vector<std::unique_ptr<Command>>& co
 }
 
 }  // namespace
+
+std::vector<const CLI::Option*> options_of(const CLI::App& command) {
+  std::vector<const CLI::Option*> options = command.get_options();
+  // CLI11 keeps a group as a command without a name.
+  for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!group->get_name().empty()) continue;
+    const std::vector<const CLI::Option*> more = options_of(*group);
+    options.insert(options.end(), more.begin(), more.end());
+  }
+  return options;
+}
 
 int run_command_line(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grew too large is an error that can be reported

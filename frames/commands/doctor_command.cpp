@@ -1,11 +1,16 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/base/counted.h"
@@ -14,16 +19,70 @@
 #include "frames/commands/command.h"
 #include "frames/page/json.h"
 #include "frames/sequence/video.h"
-#include "frames/support/checkup.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/version.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/gl/context.h"
 
 namespace kerf {
 namespace {
+
+/// Something that Kerf uses.
+struct Part {
+  std::string name;                   ///< "display"
+  std::function<std::string()> look;  ///< says what is there; throws, with the reason, if nothing is
+  std::string advice;                 ///< what to do if nothing is
+  bool is_needed = false;             ///< for pictures and recordings; all else is for some commands
+};
+
+/// Thrown by `look` where something else than the advice of the part helps.
+struct OtherProblem : std::runtime_error {
+  OtherProblem(const std::string& what, std::string what_to_do)
+      : std::runtime_error(what), advice(std::move(what_to_do)) {}
+  std::string advice;
+};
+
+/// What was found of it.
+struct Finding {
+  std::string name;
+  bool is_there = false;
+  std::string what;    ///< or why nothing is
+  std::string advice;  ///< empty if it is there
+  bool is_needed = false;
+};
+
+struct ClosePipe {
+  void operator()(std::FILE* pipe) const { pclose(pipe); }
+};
+
+Finding look_for(const Part& part) {
+  try {
+    return {part.name, true, part.look(), "", part.is_needed};
+  } catch (const OtherProblem& problem) {
+    return {part.name, false, problem.what(), problem.advice, part.is_needed};
+  } catch (const std::exception& error) {
+    return {part.name, false, error.what(), part.advice, part.is_needed};
+  }
+}
+
+/// What a program prints. Throws std::runtime_error if it cannot be run or fails.
+std::string output_of(const std::string& command) {
+  std::unique_ptr<std::FILE, ClosePipe> pipe(popen((command + " 2>/dev/null </dev/null").c_str(), "r"));
+  if (!pipe) throw std::runtime_error("no process can be started");
+  std::string text;
+  std::array<char, 4096> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe.get()))
+    text.append(part.data(), size);
+  if (pclose(pipe.release()) != 0) throw std::runtime_error("`" + command + "` cannot be run");
+  return text;
+}
+
+std::string first_line_of(const std::string& command) {
+  const std::string text = output_of(command);
+  return text.substr(0, text.find('\n'));
+}
 
 std::string vectors_here() {
   const std::vector<std::string> all = kernels();

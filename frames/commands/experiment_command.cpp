@@ -9,15 +9,15 @@
 #include "frames/commands/command.h"
 #include "frames/experiment/experiment_maker.h"
 #include "frames/experiment/experiment_page.h"
+#include "frames/experiment/experiment_panels.h"
 #include "frames/experiment/experiment_plan.h"
-#include "frames/experiment/experiment_plots.h"
 #include "frames/experiment/related.h"
 #include "frames/page/gnuplot.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/shard.h"
 
 namespace kerf {

@@ -8,7 +8,7 @@
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
-#include "frames/support/part_stream.h"
+#include "frames/support/result_file.h"
 
 namespace kerf {
 namespace {

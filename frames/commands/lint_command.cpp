@@ -10,7 +10,6 @@
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
-#include "frames/support/parse_whole.h"
 
 namespace kerf {
 namespace {

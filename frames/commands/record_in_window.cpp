@@ -3,7 +3,7 @@
 #include <string>
 
 #include "frames/sequence/recording_file.h"
-#include "frames/support/countdown.h"
+#include "frames/support/progress.h"
 #include "viz/debugger/gui/progress_screen.h"
 
 namespace kerf {

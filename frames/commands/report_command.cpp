@@ -7,11 +7,11 @@
 #include "frames/report/report_request.h"
 #include "frames/report/section.h"
 #include "frames/support/atomic_file.h"
-#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
 #include "frames/support/outputs.h"
+#include "frames/support/progress.h"
 #include "frames/support/version.h"
 
 namespace kerf {

@@ -15,7 +15,7 @@
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_expression.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 
 namespace kerf {
 namespace {

@@ -1,10 +1,10 @@
 #include "frames/diff/diff_result.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/base/counted.h"
 #include "frames/page/json.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -12,10 +12,7 @@ namespace {
 constexpr std::size_t kShownReasons = 24;
 
 std::string color_text(const std::array<std::uint8_t, 4>& c) {
-  char text[16];
-  std::snprintf(text, sizeof text, c[3] == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x", c[0], c[1], c[2],
-                c[3]);
-  return text;
+  return printed(c[3] == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x", c[0], c[1], c[2], c[3]);
 }
 
 std::string first_pixels(const PixelComparison& pixels) {
@@ -28,14 +25,9 @@ std::string first_pixels(const PixelComparison& pixels) {
 }
 
 std::string flip_figures(const FlipSummary& flip) {
-  char text[160];
-  std::snprintf(text, sizeof text, "FLIP: largest %.4f, mean %.6f; worst at", flip.max, flip.mean);
-  std::string result = text;
-  for (const FlipPixel& pixel : flip.worst) {
-    std::snprintf(text, sizeof text, " (%d, %d) %.3f", pixel.x, pixel.y, pixel.error);
-    result += text;
-  }
-  return result;
+  std::string text = printed("FLIP: largest %.4f, mean %.6f; worst at", flip.max, flip.mean);
+  for (const FlipPixel& pixel : flip.worst) text += printed(" (%d, %d) %.3f", pixel.x, pixel.y, pixel.error);
+  return text;
 }
 
 std::string frame_text(const FrameDiff& diff) {

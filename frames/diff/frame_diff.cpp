@@ -9,6 +9,7 @@
 #include "core/files/whole_file.h"
 #include "frames/sequence/draw_list_file.h"
 #include "frames/sequence/sidecar.h"
+#include "frames/support/printed.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/stored_picture.h"
 
@@ -27,11 +28,9 @@ std::string differ_text(std::uint64_t different, const Image& image) {
 
 std::string pixels_text(const PixelComparison& pixels, const Image& image) {
   const PixelBounds& bounds = pixels.bounds;
-  char text[200];
-  std::snprintf(text, sizeof text, ", within %dx%d at (%d, %d), by up to %d of 255",
-                bounds.right - bounds.left, bounds.bottom - bounds.top, bounds.left, bounds.top,
-                pixels.largest_step);
-  return differ_text(pixels.different, image) + text;
+  return differ_text(pixels.different, image) +
+         printed(", within %dx%d at (%d, %d), by up to %d of 255", bounds.right - bounds.left,
+                 bounds.bottom - bounds.top, bounds.left, bounds.top, pixels.largest_step);
 }
 
 std::string lower_text(std::uint64_t different, const Image& image) {
@@ -39,10 +38,8 @@ std::string lower_text(std::uint64_t different, const Image& image) {
 }
 
 std::string flip_text(const FlipSummary& flip, double limit) {
-  char text[120];
-  std::snprintf(text, sizeof text, "FLIP is %.3f at (%d, %d), and %.3f is allowed", flip.max,
-                flip.worst.front().x, flip.worst.front().y, limit);
-  return text;
+  return printed("FLIP is %.3f at (%d, %d), and %.3f is allowed", flip.max, flip.worst.front().x,
+                 flip.worst.front().y, limit);
 }
 
 /// Ids of both, if both have them.

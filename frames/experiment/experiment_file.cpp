@@ -8,9 +8,9 @@
 
 #include "frames/experiment/related.h"
 #include "frames/support/atomic_file.h"
-#include "frames/support/build_id.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
+#include "frames/support/version.h"
 
 namespace kerf {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "frames/experiment/experiment_file.h"
 #include "frames/support/atomic_file.h"
-#include "frames/support/countdown.h"
+#include "frames/support/progress.h"
 #include "frames/support/shard.h"
 
 namespace kerf {

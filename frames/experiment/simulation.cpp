@@ -6,18 +6,60 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "core/bsp/bsp.h"
+#include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
+#include "core/recording/step_requests.h"
 #include "frames/bench/step_block.h"
+#include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
 #include "frames/catalog/broad_phase_choice.h"
 #include "frames/catalog/scene_catalog.h"
-#include "frames/experiment/contestant.h"
 #include "frames/experiment/reading.h"
 #include "frames/rivals/step_timer.h"
 
 namespace kerf {
 namespace {
+
+/// A broad phase in the experiment.
+class Contestant {
+ public:
+  explicit Contestant(std::unique_ptr<BroadPhase<3>> subject);
+
+  /// Passes on the requests, does a step, and returns its cost, without candidates.
+  ContestantStep step(const StepRequests<3>& requests);
+  /// How many pairs of boxes its structure left to be compared in the last step; negative: unknown.
+  [[nodiscard]] double count_candidates() const;
+  [[nodiscard]] const BroadPhase<3>& subject() const { return *subject_; }
+
+ private:
+  std::unique_ptr<BroadPhase<3>> subject_;
+};
+
+Contestant::Contestant(std::unique_ptr<BroadPhase<3>> subject) : subject_(std::move(subject)) {
+  measure_parts(*subject_);
+}
+
+double Contestant::count_candidates() const {
+  const auto count = candidates_of(*subject_);
+  return count ? static_cast<double>(*count) : -1;
+}
+
+ContestantStep Contestant::step(const StepRequests<3>& requests) {
+  const SplitCost cost = costed_step(requests, *subject_);
+  ContestantStep result;
+  result.update = cost.overhead.value();  // all contestants measure it
+  result.collision = cost.total - result.update;
+  if (const auto* tree = dynamic_cast<const Bsp<3>*>(subject_.get())) {
+    const Statistics statistics = tree->statistics();
+    result.height = statistics.height;
+    result.leaves = statistics.leaves;
+    for (const std::uint64_t acted : statistics.operators) result.operators += acted;
+  }
+  return result;
+}
 
 constexpr std::array<Simulation, 4> kSimulations{{{1, "terrain", "objects fall into a terrain"},
                                                   {2, "attractors", "clouds follow moving attractors"},

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/base/poll.h"
-#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/progress.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 # What the program has of scenes and pictures of recordings is compiled once more, as code that can be loaded.
 kerf_room(kerf_python FOLDERS python EXCLUDE "/python/module\\.cpp$" SEPARATE "/python/(arrays|queries_of|world)")
 target_sources(kerf_python PRIVATE catalog/scene_catalog.cpp
-  support/disk_advice.cpp support/outputs.cpp support/suggest.cpp
+  support/atomic_file.cpp support/outputs.cpp support/suggest.cpp
   sequence/part_recording.cpp sequence/record_run.cpp sequence/recording_file.cpp sequence/recording_picture.cpp)
 set_target_properties(kerf_python PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
 # Also where its headers are compiled alone: types of pybind11 are hidden.

@@ -1,5 +1,3 @@
-#include "frames/report/contact_probe_2d.h"
-
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_collision.h>
 #include <box2d/b2_polygon_shape.h>
@@ -7,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frames/report/contact_probe.h"
 #include "sims2d/convert.h"
 
 namespace kerf {

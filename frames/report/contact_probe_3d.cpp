@@ -1,8 +1,7 @@
-#include "frames/report/contact_probe_3d.h"
-
 #include <algorithm>
 #include <array>
 
+#include "frames/report/contact_probe.h"
 #include "sims3d/narrow_phase.h"
 
 namespace kerf {

@@ -13,7 +13,7 @@ namespace kerf {
 struct LoopScene {
   std::string scene;
   int dimension = 3;
-  std::vector<Cell> seeds;  ///< results of `run_closed_loops`
+  std::vector<Cell> seeds;  ///< results: see `run_closed_loops` in loop_cells.cpp
 };
 
 std::vector<LoopScene> loop_scenes(const ReportSizes& sizes);

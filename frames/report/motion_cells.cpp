@@ -1,6 +1,5 @@
 #include "frames/report/motion_cells.h"
 
-#include "core/base/counted.h"
 #include "frames/bench/bench_scene.h"
 #include "frames/report/course.h"
 #include "frames/report/setting.h"
@@ -27,26 +26,28 @@ Json measure(const std::string& motion, const ReportSizes& sizes, const Poll& po
 
 }  // namespace
 
-std::vector<MotionCell> motion_cells(const ReportSizes& sizes) {
-  std::vector<MotionCell> motions;
+std::vector<SceneCell> motion_cells(const ReportSizes& sizes) {
+  std::vector<SceneCell> motions;
   for (const char* const motion : {"settled", "falling", "attractors"})
     for (const int dimension : {2, 3}) {
-      const std::string name = motion;
-      const std::string key = "motion " + name + " " + std::to_string(dimension) + "D, " +
-                              std::to_string(sizes.objects) + " objects, " + std::to_string(sizes.steps) +
-                              " steps, " + counted(sizes.rounds, "round");
       const auto run = [=](const Poll& poll) {
-        return dimension == 2 ? measure<2>(name, sizes, poll) : measure<3>(name, sizes, poll);
+        return dimension == 2 ? measure<2>(motion, sizes, poll) : measure<3>(motion, sizes, poll);
       };
-      motions.push_back({name, dimension, {key, run, work_of(5, sizes.objects, sizes.steps)}});
+      motions.push_back(make_scene_cell("motion", motion, dimension, sizes.objects, sizes, 5, run));
     }
   return motions;
 }
 
-std::vector<Cell> cells_of(const std::vector<MotionCell>& motions) {
-  std::vector<Cell> cells;
-  for (const MotionCell& motion : motions) cells.push_back(motion.cell);
-  return cells;
+void write_motions(const std::vector<SceneCell>& motions, const CellStore& store, const MotionView& view,
+                   Page& page) {
+  for (const SceneCell& motion : motions) {
+    const Json& rows = store.at(motion.cell.key);
+    page.heading(motion.title());
+    page.figure(draw(plot_of(rows, view.trade, motion.title() + ": time against " + view.against),
+                     std::string(view.section) + "-" + motion.id()),
+                motion.cell.key + ". " + view.caption);
+    page.table("all settings of this plot", view.columns, rows, front_of(rows, view.trade));
+  }
 }
 
 }  // namespace kerf

@@ -3,20 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "frames/page/cell.h"
-#include "frames/report/report_request.h"
+#include "frames/report/section.h"
+#include "frames/report/trade.h"
 
 namespace kerf {
 
-/// A motion of `kerf bench`, with the measurements of all settings on it.
-struct MotionCell {
-  std::string motion;
-  int dimension = 3;
-  Cell cell;  ///< a list of rows: "setting", "family" and the figures of `run_course`
-};
+/// Motions of `kerf bench`, with the measurements of all settings on them: lists of rows with "setting",
+/// "family" and the figures of `run_course`.
+std::vector<SceneCell> motion_cells(const ReportSizes& sizes);
 
-std::vector<MotionCell> motion_cells(const ReportSizes& sizes);
-/// The cells alone.
-std::vector<Cell> cells_of(const std::vector<MotionCell>& motions);
+/// How a section shows such a list.
+struct MotionView {
+  const char* section;  ///< names of its plots begin with it
+  const char* against;  ///< "missed pairs", in the titles of plots
+  const char* caption;  ///< behind what was measured
+  const Trade& trade;
+  const std::vector<TableColumn>& columns;
+};
+/// A plot and a table for each motion.
+void write_motions(const std::vector<SceneCell>& motions, const CellStore& store, const MotionView& view,
+                   Page& page);
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "frames/support/errors.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/suggest.h"
 
 namespace kerf {

@@ -11,6 +11,25 @@
 
 namespace kerf {
 
+/// A motion or a scene in two or three dimensions, and what is measured of it.
+struct SceneCell {
+  std::string scene;
+  int dimension = 3;
+  Cell cell;
+
+  /// "pile in 2D"
+  [[nodiscard]] std::string title() const { return scene + " in " + std::to_string(dimension) + "D"; }
+  /// "pile2", as a part of the names of plots.
+  [[nodiscard]] std::string id() const { return scene + std::to_string(dimension); }
+};
+
+/// `what` ("total") and `objects` are parts of its key. The work is that of `work_of`.
+SceneCell make_scene_cell(const std::string& what, const std::string& scene, int dimension,
+                          std::uint32_t objects, const ReportSizes& sizes, double seconds,
+                          std::function<Json(const Poll&)> measure);
+/// The cells alone.
+std::vector<Cell> cells_of(const std::vector<SceneCell>& scenes);
+
 /// A part of the report: its measurements, and how they are shown.
 struct Section {
   std::string name;  ///< the user's name for it

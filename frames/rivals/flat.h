@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/objects/structure.h"
-#include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 
 namespace kerf {

@@ -6,7 +6,6 @@
 #include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
 #include "core/objects/structure.h"
-#include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 
 namespace kerf {

@@ -12,6 +12,7 @@
 #include "frames/page/json.h"
 #include "frames/sequence/sidecar.h"
 #include "frames/support/json_number.h"
+#include "frames/support/printed.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -19,11 +20,7 @@ namespace {
 
 constexpr const char* kDrawListFormat = "kerf-draw-1";
 
-std::string hex_color(Color c) {
-  char text[16];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", c.r, c.g, c.b, c.a);
-  return text;
-}
+std::string hex_color(Color c) { return printed("#%02x%02x%02x%02x", c.r, c.g, c.b, c.a); }
 
 Color parse_hex(const std::string& text) {
   constexpr int kHexadecimal = 16;

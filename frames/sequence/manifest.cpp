@@ -11,6 +11,7 @@
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/json_number.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -216,9 +217,7 @@ std::string first_difference(const std::string& header, const std::string& other
 }
 
 std::string frame_file_name(const std::string& name, std::uint32_t frame) {
-  char number[16];
-  std::snprintf(number, sizeof number, "_%06u.png", frame);
-  return name + number;
+  return name + printed("_%06u.png", frame);
 }
 
 }  // namespace kerf

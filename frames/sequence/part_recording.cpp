@@ -4,7 +4,7 @@
 
 #include "core/recording/schema.h"
 #include "frames/sequence/recording_file.h"
-#include "frames/support/disk_advice.h"
+#include "frames/support/atomic_file.h"
 
 namespace kerf {
 

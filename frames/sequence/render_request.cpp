@@ -13,7 +13,6 @@
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
 #include "frames/support/parse_number.h"
-#include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
 #include "frames/support/text_file.h"
 #include "frames/support/utf8.h"

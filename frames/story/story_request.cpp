@@ -5,7 +5,7 @@
 
 #include "frames/story/story_course.h"
 #include "frames/support/errors.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/suggest.h"
 
 namespace kerf {

@@ -38,4 +38,11 @@ void make_writable_folder(const std::filesystem::path& folder, const std::string
   }
 }
 
+std::string with_disk_advice(std::string message) {
+  const std::string advice = "; free some space or choose another place";
+  const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
+  if (full && message.find(advice) == std::string::npos) message += advice;
+  return message;
+}
+
 }  // namespace kerf

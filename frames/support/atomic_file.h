@@ -25,4 +25,7 @@ void copy_file_atomically(const std::filesystem::path& from, const std::filesyst
 /// Throws std::runtime_error with path, reason and the option by which another is chosen.
 void make_writable_folder(const std::filesystem::path& folder, const std::string& option = "--out");
 
+/// The message; of a full disk, which several rooms report in the system's words, also what to do, once.
+std::string with_disk_advice(std::string message);
+
 }  // namespace kerf

@@ -3,11 +3,13 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "frames/support/version.h"
 
@@ -33,6 +35,17 @@ std::string vectors() {
 #endif
 }
 
+/// The number of KiB after `key` in a file of "Key:   123 kB" lines, in bytes.
+std::uint64_t field(const char* path, std::string_view key) {
+  std::ifstream file(path);
+  std::string word;
+  while (file >> word) {
+    std::uint64_t kib = 0;
+    if (word == key && file >> kib) return kib * 1024;
+  }
+  return 0;
+}
+
 }  // namespace
 
 nlohmann::ordered_json describe_machine() {
@@ -49,6 +62,15 @@ nlohmann::ordered_json describe_machine() {
           {"compiler", "g++ " __VERSION__},
           {"kerf", version()},
           {"load_average", load[0]}};
+}
+
+std::uint64_t own_memory() { return field("/proc/self/smaps_rollup", "Anonymous:"); }
+
+std::uint64_t peak_own_memory() {
+  constexpr const char* kStatus = "/proc/self/status";
+  const std::uint64_t foreign = field(kStatus, "RssFile:") + field(kStatus, "RssShmem:");
+  const std::uint64_t high = field(kStatus, "VmHWM:");
+  return std::max(own_memory(), high - std::min(high, foreign));
 }
 
 }  // namespace kerf

@@ -1,7 +1,6 @@
 #include "frames/support/progress.h"
 
-#include <array>
-#include <cstdio>
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -16,11 +15,8 @@ void Progress::update(std::uint32_t frames, std::uint32_t step) {
   const Clock::time_point now = Clock::now();
   if (!line_.is_shown() || now - last_ < kBetweenUpdates) return;
   last_ = now;
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "frame %u/%u  step %u/%u  %.1f frames/s  %s", frames,
-                steps_.frames(), step, steps_.last, frames / stint_.seconds(),
-                stint_.left(step, steps_.last).c_str());
-  line_.show(text.data());
+  line_.show(printed("frame %u/%u  step %u/%u  %.1f frames/s  %s", frames, steps_.frames(), step, steps_.last,
+                     frames / stint_.seconds(), stint_.left(step, steps_.last).c_str()));
 }
 
 }  // namespace kerf

@@ -1,5 +1,7 @@
 #include "frames/support/result_file.h"
 
+#include <cerrno>
+
 #include "frames/support/atomic_file.h"
 
 namespace kerf {
@@ -22,6 +24,21 @@ std::string ResultFile::end_early() {
   }
   part_->keep();
   return "what was measured is in " + part_->final_path().string();
+}
+
+PartStream::PartStream(const std::filesystem::path& final_path, Replace replace)
+    : part_(final_path, replace), stream_(part_.path(), std::ios::binary | std::ios::in | std::ios::out) {
+  check();
+}
+
+void PartStream::check() const {
+  if (!stream_) fail_to_write(part_.final_path(), errno);
+}
+
+void PartStream::keep() {
+  stream_.close();
+  check();
+  part_.keep();
 }
 
 }  // namespace kerf

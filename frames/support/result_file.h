@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -26,6 +27,22 @@ class ResultFile {
  private:
   std::unique_ptr<PartFile> part_;  ///< null: no file
   bool is_saved_ = false;
+};
+
+/// A file that is written bit by bit and has its name only when it is complete (PartFile).
+class PartStream {
+ public:
+  /// Throws std::system_error with path and reason, as all of these do.
+  PartStream(const std::filesystem::path& final_path, Replace replace);
+
+  [[nodiscard]] std::ostream& stream() { return stream_; }
+  /// Throws if what was written last could not be.
+  void check() const;
+  void keep();
+
+ private:
+  PartFile part_;
+  std::ofstream stream_;
 };
 
 }  // namespace kerf

@@ -17,7 +17,7 @@
 #include "core/bsp/bsp.h"
 #include "frames/bench/bench_scene.h"
 #include "frames/support/errors.h"
-#include "frames/support/parse_whole.h"
+#include "frames/support/parse_number.h"
 
 namespace kerf {
 namespace {

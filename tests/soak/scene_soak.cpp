@@ -19,8 +19,8 @@
 
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/parse_whole.h"
-#include "frames/support/progress_line.h"
+#include "frames/support/parse_number.h"
+#include "frames/support/progress.h"
 #include "tests/soak/endless_run.h"
 
 namespace kerf::test {

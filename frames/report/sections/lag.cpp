@@ -1,6 +1,4 @@
 #include "frames/report/motion_cells.h"
-#include "frames/report/section.h"
-#include "frames/report/trade.h"
 
 namespace kerf {
 namespace {
@@ -20,15 +18,10 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
       "How many steps pass from the step in which two boxes begin to overlap until the pair is reported: 0 "
       "for an exact broad phase. A meeting that ends unreported counts with all its steps; so does one that "
       "is unreported when the run ends, whose lag is longer then. So all settings have the same meetings.");
-  for (const MotionCell& motion : motion_cells(request.sizes)) {
-    const Json& rows = store.at(motion.cell.key);
-    const std::string name = motion.motion + " in " + std::to_string(motion.dimension) + "D";
-    page.heading(name);
-    page.figure(draw(plot_of(rows, kTrade, name + ": time against lag of detection"),
-                     "lag-" + motion.motion + std::to_string(motion.dimension)),
-                motion.cell.key + ". Lower left is better; a ring marks the Pareto front.");
-    page.table("all settings of this plot", kColumns, rows, front_of(rows, kTrade));
-  }
+  write_motions(
+      motion_cells(request.sizes), store,
+      {"lag", "lag of detection", "Lower left is better; a ring marks the Pareto front.", kTrade, kColumns},
+      page);
   page.command(command_of(request, "lag"));
 }
 

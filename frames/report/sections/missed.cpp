@@ -1,6 +1,4 @@
 #include "frames/report/motion_cells.h"
-#include "frames/report/section.h"
-#include "frames/report/trade.h"
 
 namespace kerf {
 namespace {
@@ -20,11 +18,11 @@ const std::vector<TableColumn> kColumns{{"setting", "setting"},
                                         {"true pairs", "true_pairs"}};
 
 /// Recommended settings by scene: the fastest that is never wrong, and the fastest that is nearly never.
-Json recommend(const MotionCell& motion, const Json& rows) {
+Json recommend(const SceneCell& motion, const Json& rows) {
   constexpr double kNearlyNone = 0.1;  // percent
   Json exact = recommended_within(rows, kTrade, 0);
   const Json nearly = recommended_within(rows, kTrade, kNearlyNone);
-  return {{"scene", motion.motion + ", " + std::to_string(motion.dimension) + "D"},
+  return {{"scene", motion.scene + ", " + std::to_string(motion.dimension) + "D"},
           {"exact", exact["setting"]},
           {"exact_ns", exact["mean_ns"]},
           {"exact_extra", exact["extra_share"]},
@@ -33,9 +31,9 @@ Json recommend(const MotionCell& motion, const Json& rows) {
           {"nearly_missed", nearly["missed_share"]}};
 }
 
-void write_recommendations(const std::vector<MotionCell>& motions, const CellStore& store, Page& page) {
+void write_recommendations(const std::vector<SceneCell>& motions, const CellStore& store, Page& page) {
   Json rows = Json::array();
-  for (const MotionCell& motion : motions) rows.push_back(recommend(motion, store.at(motion.cell.key)));
+  for (const SceneCell& motion : motions) rows.push_back(recommend(motion, store.at(motion.cell.key)));
   page.heading("Recommended settings");
   page.paragraph(
       "By scene, the fastest setting that missed no pair here, and the fastest that missed at most one in a "
@@ -62,17 +60,9 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
       "joined: k or the grid grows along the line. A ring marks the Pareto front, on which nothing is both "
       "faster and less often wrong. Means, because a period has cheap and dear steps; p99 and max of single "
       "steps are in the tables.");
-  const std::vector<MotionCell> motions = motion_cells(request.sizes);
+  const std::vector<SceneCell> motions = motion_cells(request.sizes);
   write_recommendations(motions, store, page);
-  for (const MotionCell& motion : motions) {
-    const Json& rows = store.at(motion.cell.key);
-    const std::string name = motion.motion + " in " + std::to_string(motion.dimension) + "D";
-    page.heading(name);
-    page.figure(draw(plot_of(rows, kTrade, name + ": time against missed pairs"),
-                     "missed-" + motion.motion + std::to_string(motion.dimension)),
-                motion.cell.key + ". Lower left is better.");
-    page.table("all settings of this plot", kColumns, rows, front_of(rows, kTrade));
-  }
+  write_motions(motions, store, {"missed", "missed pairs", "Lower left is better.", kTrade, kColumns}, page);
   page.command(command_of(request, "missed"));
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "frames/support/build_id.h"
 #include "frames/support/errors.h"
+#include "frames/support/version.h"
 #include "tests/frames/program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -11,7 +11,6 @@
 
 #include "frames/bench/bench_scene.h"
 #include "frames/bench/truth.h"
-#include "frames/rivals/added_work.h"
 #include "frames/rivals/fastest_way.h"
 
 namespace kerf {
