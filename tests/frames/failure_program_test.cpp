@@ -78,15 +78,6 @@ bool goes_away(pid_t process) {
   return holds_within_a_minute([&] { return ::kill(process, 0) != 0; });
 }
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-std::vector<std::string> short_render(const std::filesystem::path& out, const std::string& steps) {
-  return {"render", "pile", "--steps", steps, "--objects", "50", "--size", "160x120", "--out", out};
-}
-
 /// The same files with the same bytes.
 void expect_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
   ASSERT_EQ(test::files_in(a), test::files_in(b));

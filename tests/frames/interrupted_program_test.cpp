@@ -18,15 +18,6 @@ using ::testing::HasSubstr;
 
 using Arguments = std::vector<std::string>;
 
-Arguments with(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-Arguments render(const std::filesystem::path& out, const std::string& steps) {
-  return {"render", "pile", "--steps", steps, "--objects", "50", "--size", "160x120", "--out", out};
-}
-
 /// A sequence is replaced in a folder of its own, within the earlier one's.
 bool has_begun_apart(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -40,10 +31,10 @@ TEST(InterruptedProgram, TheSameCommandWithResumeReplacesTheEarlierSequenceAndFi
   const auto out = folder.path() / "frames";
   const auto film = folder.path() / "film.mp4";
   const Arguments replaces{"--overwrite", "--video", film};
-  ASSERT_EQ(run_kerf(with(render(out, "1:41:10"), replaces)).exit, kExitHolds);
+  ASSERT_EQ(run_kerf(with(short_render(out, "1:41:10"), replaces)).exit, kExitHolds);
   const std::string picture = test::read_text(out / "pile_000001.png");
   const std::string earlier_film = test::read_text(film);
-  const Arguments arguments = with(with(render(out, "1:1000:10"), replaces), {"--seed", "2"});
+  const Arguments arguments = with(with(short_render(out, "1:1000:10"), replaces), {"--seed", "2"});
   const RunOutcome outcome = interrupt_kerf(arguments, [&] { return has_begun_apart(out); });
   EXPECT_EQ(outcome.exit, kExitInterrupted);
   EXPECT_THAT(outcome.err,
@@ -57,7 +48,7 @@ TEST(InterruptedProgram, TheSameCommandWithResumeReplacesTheEarlierSequenceAndFi
   ASSERT_EQ(resumed.exit, kExitHolds) << resumed.err;
   EXPECT_FALSE(test::read_text(film) == earlier_film);
   const auto whole = folder.path() / "whole";
-  ASSERT_EQ(run_kerf(with(render(whole, "1:1000:10"), {"--seed", "2"})).exit, kExitHolds);
+  ASSERT_EQ(run_kerf(with(short_render(whole, "1:1000:10"), {"--seed", "2"})).exit, kExitHolds);
   ASSERT_EQ(test::files_in(out), test::files_in(whole));
   for (const std::string& file : test::files_in(whole))
     EXPECT_TRUE(test::read_text(out / file) == test::read_text(whole / file)) << file;
@@ -65,7 +56,7 @@ TEST(InterruptedProgram, TheSameCommandWithResumeReplacesTheEarlierSequenceAndFi
 
 TEST(InterruptedProgram, ARenderThatRecordsIsResumedWithoutTheRecording) {
   const TemporaryFolder folder;
-  const Arguments arguments = render(folder.path() / "frames", "1:1000:10");
+  const Arguments arguments = short_render(folder.path() / "frames", "1:1000:10");
   const RunOutcome outcome = interrupt_kerf(with(arguments, {"--record", folder.path() / "run.kerf"}), [&] {
     return std::filesystem::exists(folder.path() / "frames" / "pile_000003.png");
   });

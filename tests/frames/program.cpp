@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "core/files/part_file.h"
+#include "core/files/whole_file.h"
 
 namespace kerf::test {
 namespace {
@@ -40,13 +41,7 @@ void enter(const Surroundings& surroundings, const std::filesystem::path& output
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error("cannot read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+std::string read_text(const std::filesystem::path& file) { return read_whole_file(file); }
 
 nlohmann::json read_json(const std::filesystem::path& file) { return nlohmann::json::parse(read_text(file)); }
 
@@ -77,6 +72,15 @@ RunOutcome Process::wait() {
   pid_ = -1;
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
           read_text(outputs_.path() / "out"), read_text(outputs_.path() / "err")};
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+std::vector<std::string> short_render(const std::filesystem::path& out, const std::string& steps) {
+  return {"render", "pile", "--steps", steps, "--objects", "50", "--size", "160x120", "--out", out};
 }
 
 std::vector<std::string> kerf_command(const std::vector<std::string>& arguments) {

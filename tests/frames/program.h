@@ -50,6 +50,10 @@ class Process {
   pid_t pid_ = -1;
 };
 
+/// These arguments and more.
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more);
+/// Draws small pictures of few objects.
+std::vector<std::string> short_render(const std::filesystem::path& out, const std::string& steps);
 /// `kerf` with these arguments.
 std::vector<std::string> kerf_command(const std::vector<std::string>& arguments);
 RunOutcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});

@@ -20,11 +20,6 @@ std::vector<std::string> small_render(const std::string& scene, const std::files
           "--grow", "30",  "--size",  "160x120", "--out",     out.string()};
 }
 
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 std::string hex(std::uint64_t hash) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));

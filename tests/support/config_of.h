@@ -13,4 +13,11 @@ inline Config config_of(std::string_view assignments) {
   return config;
 }
 
+/// Our configuration with so many objects in a leaf.
+inline Config tuned_with_leaves_of(std::uint32_t objects) {
+  Config config = tuned_config();
+  config.min_threshold = config.max_threshold = objects;
+  return config;
+}
+
 }  // namespace kerf::test

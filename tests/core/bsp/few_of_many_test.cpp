@@ -9,6 +9,7 @@
 #include "core/replay/oracle.h"
 #include "core/tree/validate.h"
 #include "tests/support/boxes.h"
+#include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"
 
@@ -74,15 +75,9 @@ class LeftWorld {
     return {at, at + all<D>(1)};
   }
 
-  static Config small_leaves() {
-    Config config = tuned_config();
-    config.min_threshold = config.max_threshold = 32;
-    return config;
-  }
-
   Random random_{21};
   double speed_;
-  Bsp<D> tree_{small_leaves()};
+  Bsp<D> tree_{tuned_with_leaves_of(32)};
   std::vector<ObjectId> left_;
 };
 

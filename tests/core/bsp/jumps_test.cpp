@@ -8,6 +8,7 @@
 #include "core/bsp/bsp_state.h"
 #include "core/replay/oracle.h"
 #include "tests/support/boxes.h"
+#include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"
 
@@ -16,9 +17,8 @@ namespace {
 
 /// Leaves are swept in each step, never kept.
 Config swept() {
-  Config config = tuned_config();
+  Config config = tuned_with_leaves_of(32);
   config.skin = 0;
-  config.min_threshold = config.max_threshold = 32;
   return config;
 }
 

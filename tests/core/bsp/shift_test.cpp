@@ -11,17 +11,12 @@
 #include "core/replay/oracle.h"
 #include "core/tree/validate.h"
 #include "tests/support/boxes.h"
+#include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"
 
 namespace kerf::test {
 namespace {
-
-Config leaves_of_32() {
-  Config config = tuned_config();
-  config.min_threshold = config.max_threshold = 32;
-  return config;
-}
 
 /// Objects of which a share moves a little in each step.
 template <int D>
@@ -106,7 +101,7 @@ class ShiftedWorld {
   double reach_;
   std::vector<ObjectId> ids_;
   std::vector<Box<D>> boxes_;
-  Bsp<D> tree_{leaves_of_32()};
+  Bsp<D> tree_{tuned_with_leaves_of(32)};
 };
 
 template <class Dim>
@@ -136,7 +131,7 @@ TYPED_TEST(Shifts, RoundingLetsBoxesTouchThatRest) {
   Random random(3);
   std::vector<ObjectId> ids;
   std::vector<Box<kD>> bricks;
-  Bsp<kD> tree(leaves_of_32());
+  Bsp<kD> tree(tuned_with_leaves_of(32));
   const auto side = static_cast<std::uint32_t>(kD == 2 ? 24 : 8);
   for (std::uint32_t id = 0; id < (kD == 2 ? side * side : side * side * side); ++id) {
     Box<kD> brick;
@@ -178,7 +173,7 @@ TYPED_TEST(Shifts, AFarOneLetsMoreTouchThanNearOnes) {
   Random random(9);
   std::vector<ObjectId> ids;
   std::vector<Box<kD>> boxes;
-  Bsp<kD> tree(leaves_of_32());
+  Bsp<kD> tree(tuned_with_leaves_of(32));
   for (std::uint32_t id = 0; id < 400; ++id) {
     Box<kD> box = random_box<kD>(random, 10, 0.5);
     if (id % 2 == 1) {  // beside the one before
@@ -314,7 +309,7 @@ TYPED_TEST(Shifts, BeyondTheLargestFloatAllIsPlacedAnew) {
   Random random(14);
   std::vector<ObjectId> ids;
   std::vector<Box<kD>> boxes;
-  Bsp<kD> tree(leaves_of_32());
+  Bsp<kD> tree(tuned_with_leaves_of(32));
   for (std::uint32_t id = 0; id < 400; ++id) {
     boxes.push_back(random_box<kD>(random, 10, 0.5));
     ids.push_back({id});
@@ -342,7 +337,7 @@ TYPED_TEST(Shifts, PointsAtRestAreKept) {
   Random random(5);
   std::vector<ObjectId> ids;
   std::vector<Box<kD>> points;
-  Bsp<kD> tree(leaves_of_32());
+  Bsp<kD> tree(tuned_with_leaves_of(32));
   for (std::uint32_t id = 0; id < 600; ++id) {
     const Vector<kD> at = random_point<kD>(random, 0, 10);
     ids.push_back({id});

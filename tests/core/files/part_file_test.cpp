@@ -5,9 +5,9 @@
 #include <sys/stat.h>
 
 #include <fstream>
-#include <iterator>
 #include <vector>
 
+#include "core/files/whole_file.h"
 #include "core/recording/unfinished.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class PartFiles : public ::testing::Test {
  protected:
@@ -37,10 +32,10 @@ TEST_F(PartFiles, TheNameComesWithKeepAndTheEarlierFileStaysUntilThen) {
   {
     PartFile part(path("a.txt"));
     part.write("new");
-    EXPECT_EQ(text_of(path("a.txt")), "earlier");
+    EXPECT_EQ(read_whole_file(path("a.txt")), "earlier");
     EXPECT_EQ(parts_of(path("a.txt")), std::vector<fs::path>{part.path()});
     part.keep();
-    EXPECT_EQ(text_of(path("a.txt")), "new");
+    EXPECT_EQ(read_whole_file(path("a.txt")), "new");
   }
   EXPECT_EQ(files(), std::vector<std::string>{"a.txt"});
 }
@@ -52,7 +47,7 @@ TEST_F(PartFiles, WithoutKeepNothingIsLeftNotEvenTheLogOfADatabase) {
     part.write("new");
     write(part.path().filename().string() + "-wal", "log");
   }
-  EXPECT_EQ(text_of(path("a.kerf")), "earlier");
+  EXPECT_EQ(read_whole_file(path("a.kerf")), "earlier");
   EXPECT_EQ(files(), std::vector<std::string>{"a.kerf"});
 }
 
@@ -63,7 +58,7 @@ TEST_F(PartFiles, EachRunHasANameOfItsOwn) {
   const PartFile other(path("a.kerf"));
   EXPECT_NE(one.path(), other.path());
   EXPECT_EQ(parts_of(path("a.kerf")).size(), 3U);
-  EXPECT_EQ(text_of(path("a.kerf.0123456789abcdef.part")), "of a killed run");
+  EXPECT_EQ(read_whole_file(path("a.kerf.0123456789abcdef.part")), "of a killed run");
 }
 
 TEST_F(PartFiles, WhatHasComeMeanwhileIsNotReplacedUnlessAsked) {
@@ -76,8 +71,8 @@ TEST_F(PartFiles, WhatHasComeMeanwhileIsNotReplacedUnlessAsked) {
                                           HasSubstr("has come meanwhile; what was made is in")));
     left = part.path();
   }
-  EXPECT_EQ(text_of(path("a.txt")), "another one");
-  EXPECT_EQ(text_of(left), "new") << "an hour's work is not thrown away";
+  EXPECT_EQ(read_whole_file(path("a.txt")), "another one");
+  EXPECT_EQ(read_whole_file(left), "new") << "an hour's work is not thrown away";
 }
 
 TEST_F(PartFiles, AFolderInTheWayIsAnErrorAndStays) {
@@ -96,7 +91,7 @@ TEST_F(PartFiles, ALinkToAFileStaysAndItsTargetIsReplaced) {
   part.write("new");
   part.keep();
   EXPECT_TRUE(fs::is_symlink(path("a.txt")));
-  EXPECT_EQ(text_of(path("real.txt")), "new");
+  EXPECT_EQ(read_whole_file(path("real.txt")), "new");
 }
 
 TEST_F(PartFiles, PermissionsOfTheEarlierFileHold) {

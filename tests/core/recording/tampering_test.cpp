@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <optional>
 
+#include "core/files/whole_file.h"
 #include "core/recording/compression.h"
 #include "core/recording/database.h"
 #include "core/recording/keyframe_codec.h"
@@ -27,11 +27,6 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr std::uint32_t kKeyframe = 256;  ///< the only step with one
-
-std::string read_bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
@@ -117,7 +112,7 @@ class Tampering : public testing::Test {
 
   void SetUp() override {
     record_everything<kD>(path());
-    whole_ = read_bytes(path());
+    whole_ = read_whole_file(path());
   }
   [[nodiscard]] std::filesystem::path path() const { return file_.path(); }
   void restore() const { write_bytes(path(), whole_); }
@@ -351,7 +346,7 @@ TYPED_TEST(Tampering, AnIndexThatDoesNotFitItsTableIsFound) {
   constexpr std::string_view kIndex =
       "SELECT rootpage FROM sqlite_master WHERE type = 'index' AND tbl_name = 'their_pairs'";
   const std::int64_t page = Database::open(this->path()).ask(kIndex);
-  std::string bytes = read_bytes(this->path());
+  std::string bytes = read_whole_file(this->path());
   char& row = bytes.at(static_cast<std::size_t>(page) * kPageSize - 1);  // of the first entry
   row = static_cast<char>(row ^ 0x40);
   write_bytes(this->path(), bytes);

@@ -1,3 +1,5 @@
+#include "tests/fuzz/replay.h"
+
 #include <gtest/gtest.h>
 
 #include "core/recording/recording_reader.h"
@@ -9,16 +11,10 @@
 namespace kerf::test {
 namespace {
 
-void replay(const char* target, std::string (*run)(CaseBytes)) {
-  const std::vector<KeptCase> cases = corpus(KERF_SOURCE_DIR, target);
-  EXPECT_GE(cases.size(), 1U);
-  for (const KeptCase& kept : cases) EXPECT_EQ(run(kept.bytes), "") << target << "/" << kept.name;
-}
-
-TEST(RecordingCorpus, KeyframesFindNothing) { replay("keyframe", keyframe_case); }
-TEST(RecordingCorpus, BlocksFindNothing) { replay("block", block_case); }
-TEST(RecordingCorpus, LooksFindNothing) { replay("looks", looks_case); }
-TEST(RecordingCorpus, ChangedTablesFindNothing) { replay("recording", recording_case); }
+TEST(RecordingCorpus, KeyframesFindNothing) { replay("keyframe", keyframe_case, 1); }
+TEST(RecordingCorpus, BlocksFindNothing) { replay("block", block_case, 1); }
+TEST(RecordingCorpus, LooksFindNothing) { replay("looks", looks_case, 1); }
+TEST(RecordingCorpus, ChangedTablesFindNothing) { replay("recording", recording_case, 1); }
 
 /// Without a change nothing is found: the cases begin with a recording that holds.
 TEST(RecordingCorpus, TheSmallRecordingHolds) {
