@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/broad_phase/axis_cells.h"
-#include "core/broad_phase/radix_sort.h"
+#include "core/kernels/radix_sort.h"
 #include "core/broad_phase/tabled.h"
 #include "core/kernels/lanes.h"
 #include "core/objects/structure.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/broad_phase/radix_sort.h"
+#include "core/kernels/radix_sort.h"
 
 namespace kerf {
 

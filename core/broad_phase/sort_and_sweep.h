@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/broad_phase/radix_sort.h"
+#include "core/kernels/radix_sort.h"
 #include "core/broad_phase/tabled.h"
 #include "core/kernels/lanes.h"
 #include "core/objects/structure.h"

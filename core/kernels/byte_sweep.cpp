@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "core/base/list_room.h"
-#include "core/kernels/rank_keys.h"
 #include "core/kernels/sweep_tuning.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,6 +13,7 @@
 
 #include "core/kernels/compare-inl.h"
 #include "core/kernels/compare_dense-inl.h"
+#include "core/kernels/compare_floats-inl.h"
 #include "core/kernels/order-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -66,30 +66,6 @@ HWY_INLINE std::array<float, D> make_keys(const LeafView<D>& leaf, const ByteSca
   return length;
 }
 
-/// The same by ranks. No box looks short on an axis on which all share a point.
-template <int D>
-std::array<float, D> make_ranked_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  constexpr std::size_t kHalf = PackedBox<D>::kHalf;
-  sweep.is_clumped = true;
-  const RankScale<D> ranks = make_rank_scale<D>(leaf.boxes);
-  std::array<float, D> length;
-  for (std::size_t i = 0; i < leaf.size(); ++i) sweep.keys[i] = rank_key(leaf.boxes[i], ranks);
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    std::uint64_t sum = 0;
-    std::uint64_t last_begin = 0;
-    std::uint64_t first_end = 255;
-    for (std::size_t i = 0; i < leaf.size(); ++i) {
-      const std::uint64_t begin = sweep.keys[i] >> (8 * axis) & 255U;
-      const std::uint64_t end = sweep.keys[i] >> (8 * (kHalf + axis)) & 255U;
-      sum += end - begin;
-      last_begin = std::max(last_begin, begin);
-      first_end = std::min(first_end, end);
-    }
-    length[axis] = last_begin <= first_end ? 255 : static_cast<float>(sum) / static_cast<float>(leaf.size());
-  }
-  return length;
-}
-
 /// Chooses the axis along which the boxes are shortest, and sets how the entries are ordered and compared.
 template <std::size_t D>
 HWY_INLINE void choose_axis(std::size_t count, const std::array<float, D>& length,
@@ -113,26 +89,26 @@ HWY_INLINE bool may_be_clumped(std::size_t count, const std::array<float, D>& le
          (count >= tuning::kLeastSampled && std::ranges::max(length) < tuning::kTinyBox);
 }
 
-/// Counts in some rows how dense the boxes lie. The boxes of a slanted line do not all meet on any axis, so
-/// only the rows show that they need finer steps: then the entries are ordered anew. Straight lines, known
-/// by mean lengths, are ordered once, which saves 5 to 10 % of their time. Where finer steps do not help, the
-/// boxes lie in clumps. `rows`: in the order so far.
+/// How the entries of a leaf are compared.
+enum class Comparison : std::uint8_t { bytes, dense_bytes, floats };
+
+/// Decides by rows how a leaf is compared: `rows` are some in the order so far. The boxes of a slanted line
+/// do not all meet on any axis, so only the rows show that they need finer steps: then the entries are
+/// ordered anew. Straight lines, known by mean lengths, are ordered once, which saves 5 to 10 % of their
+/// time. Where finer steps do not help, or it takes too many, floats are swept.
 template <int D>
-HWY_INLINE bool is_crowded(const LeafView<D>& leaf, const ByteScale<D>& scale, RowSample rows,
-                           ByteSweep<D>& sweep) {
+HWY_INLINE Comparison comparison_by_rows(const LeafView<D>& leaf, const ByteScale<D>& scale, RowSample rows,
+                                         ByteSweep<D>& sweep) {
+  if (rows.all_at_end > tuning::kClumped) return Comparison::floats;
   const auto n = static_cast<std::uint32_t>(leaf.size());
   if (!sweep.is_fine && rows.at_end > tuning::kTooCoarse) {
     sweep.is_fine = true;
     order_entries(leaf, scale, sweep);
     rows = sample_rows(sweep, n);
+    if (rows.all_at_end > tuning::kClumped) return Comparison::floats;
   }
-  if (rows.all_at_end > tuning::kClumped) {
-    choose_axis(leaf.size(), make_ranked_keys(leaf, sweep), sweep);
-    sweep.is_fine = false;
-    order_entries(leaf, scale, sweep);
-    rows = sample_rows(sweep, n);
-  }
-  return rows.sure > (sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow);
+  const float least = sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow;
+  return rows.sure > least && sweep.may_be_dense ? Comparison::dense_bytes : Comparison::bytes;
 }
 
 /// Divides a leaf of clumps. A finer step may reach from one byte into the next.
@@ -142,6 +118,15 @@ bool divide_clumps(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const OrderedBytes bytes{
       {sweep.order.data(), leaf.size()}, sweep.plane(axis), sweep.plane(D + axis), sweep.is_fine ? 1 : 0};
   return sweep.clumps.divide(leaf, bytes);
+}
+
+template <int D>
+HWY_INLINE void compare_bytes(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
+  if (sweep.is_short && hn::Lanes(Bytes()) <= 32) {
+    sweep.is_dense ? compare_dense<32>(leaf, sweep, pairs) : compare_all<32>(leaf, sweep, pairs);
+  } else {
+    sweep.is_dense ? compare_dense<64>(leaf, sweep, pairs) : compare_all<64>(leaf, sweep, pairs);
+  }
 }
 
 template <int D>
@@ -155,18 +140,20 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   const bool is_counted = may_be_dense(leaf.size(), length, static_cast<std::size_t>(sweep.axis));
   if (is_counted || may_be_clumped(leaf.size(), length)) {
     const RowSample rows = sample_rows(sweep, static_cast<std::uint32_t>(leaf.size()));
-    if (rows.all_at_end > tuning::kMayBeClumped && divide_clumps(leaf, sweep)) {
-      sweep.is_clumped = true;
-      return;
+    const bool is_clumped = rows.all_at_end > tuning::kClumped;
+    sweep.is_clumped |= is_clumped;
+    if (is_clumped && divide_clumps(leaf, sweep)) return;
+    if (is_counted || is_clumped) {
+      const Comparison comparison = comparison_by_rows(leaf, scale, rows, sweep);
+      if (comparison == Comparison::floats) {
+        sweep.is_clumped = true;
+        sweep.axis = static_cast<int>(axis_of_short_rows(leaf));
+        return compare_floats(leaf, static_cast<std::size_t>(sweep.axis), sweep.floats, sweep.found, pairs);
+      }
+      sweep.is_dense = comparison == Comparison::dense_bytes;
     }
-    if (is_counted || rows.all_at_end > tuning::kClumped)
-      sweep.is_dense = is_crowded(leaf, scale, rows, sweep) && sweep.may_be_dense;
   }
-  if (sweep.is_short && hn::Lanes(Bytes()) <= 32) {
-    sweep.is_dense ? compare_dense<32>(leaf, sweep, pairs) : compare_all<32>(leaf, sweep, pairs);
-  } else {
-    sweep.is_dense ? compare_dense<64>(leaf, sweep, pairs) : compare_all<64>(leaf, sweep, pairs);
-  }
+  compare_bytes(leaf, sweep, pairs);
 }
 
 void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairBuffer& pairs) {

@@ -7,6 +7,7 @@
 
 #include "core/base/append_buffer.h"
 #include "core/kernels/clumps.h"
+#include "core/kernels/float_sweep.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
 #include "core/kernels/sweep_tuning.h"
@@ -18,8 +19,9 @@ namespace kerf {
 /// Each axis is mapped to bytes by a function whose every operation is monotone, also in floats (ByteScale),
 /// so every overlap remains and a few are added. Entries are ordered by counting along the axis that
 /// separates best, in finer steps where bytes are too coarse, and each is compared, 32 or 64 at a time, with
-/// those behind it that begin before it ends. A leaf of clumps far from one another is divided between them,
-/// or mapped by ranks. Findings are confirmed on the floats; in dense leaves only those that bytes do not
+/// those behind it that begin before it ends. A leaf of clumps far from one another is divided between them;
+/// where that does not help, as where sizes span decades around one place, floats are swept (FloatSweep).
+/// Findings of bytes are confirmed on the floats; in dense leaves only those that bytes do not
 /// prove. The pairs are exact, and in the same order for every width of vectors.
 template <int D>
 class ByteSweep {
@@ -28,7 +30,7 @@ class ByteSweep {
   /// pairs.
   void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
-  bool is_clumped = false;   ///< of the last leaf: its boxes lay in clumps
+  bool is_clumped = false;   ///< of the last leaf: its boxes lay in clumps, most of which shared a byte
   bool may_be_dense = true;  ///< false: floats confirm all pairs, however dense the boxes lie
 
   // The kernels' memory, kept between leaves: an array for each thing, since vectors read them side by side.
@@ -52,6 +54,7 @@ class ByteSweep {
   std::vector<std::uint8_t> apart;     ///< exclusion masks folded to a byte, in order
   std::vector<std::uint32_t> others;   ///< those of one entry's pairs that need no floats
   PairBuffer unsure;                   ///< the pairs that need the floats
+  FloatSweep floats;                   ///< where no bytes separate the boxes
   Clumps<D> clumps;                    ///< parts of a leaf that have yet to be swept
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }

@@ -72,11 +72,25 @@ void Clumps<D>::list_cuts(const OrderedBytes& bytes) {
   if (waiting > 0) cuts_.push_back(static_cast<std::uint32_t>(n));
 }
 
+/// Whether the parts are worth a sweep each: not too small in the mean, and none has nearly all entries.
+template <int D>
+bool Clumps<D>::is_divided() const {
+  if (cuts_.size() < 2) return false;
+  const std::size_t n = cuts_.back();
+  std::uint32_t begin = 0;
+  std::uint32_t largest = 0;
+  for (const std::uint32_t end : cuts_) {
+    largest = std::max(largest, end - begin);
+    begin = end;
+  }
+  return 4 * largest <= 3 * n && cuts_.size() * tuning::kLeastMeanClump <= n;
+}
+
 /// Pairs of two entries that are in each part are this part's if it is the first: elsewhere they share a bit.
 template <int D>
 bool Clumps<D>::divide(const LeafView<D>& leaf, const OrderedBytes& bytes) {
   list_cuts(bytes);
-  if (long_.size() > tuning::kMostLong || cuts_.size() < 2) return false;
+  if (long_.size() > tuning::kMostLong || !is_divided()) return false;
   const DepthMask seen = long_.size() > 1 ? free_bit(leaf.apart) : 1;
   if (seen == 0) return false;
   std::uint32_t begin = 0;

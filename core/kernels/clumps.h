@@ -34,6 +34,7 @@ class Clumps {
 
  private:
   void list_cuts(const OrderedBytes& bytes);
+  [[nodiscard]] bool is_divided() const;
   LeafView<D>& add_part();
 
   std::deque<LeafView<D>> parts_;  ///< a part is divided while others are added

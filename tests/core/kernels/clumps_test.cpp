@@ -1,6 +1,10 @@
 // Leaves whose boxes lie in clumps far from one another: each clump is swept by itself.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+#include <vector>
+
 #include "core/base/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -65,8 +69,8 @@ TYPED_TEST(Clumped, IslandsOfTallBoxesAreDividedBetweenSteps) {
   }
 }
 
-/// On a floor at 0, in so many columns that bytes are ranks: the floor's axis is not swept along.
-TYPED_TEST(Clumped, RanksOfAFloorSeparateNothing) {
+/// On a floor at 0, in so many columns that floats are swept: not along the floor's axis.
+TYPED_TEST(Clumped, FloatsOfAFloorSeparateNothing) {
   constexpr int kD = TypeParam::value;
   Random random(18);
   LeafView<kD> leaf;
@@ -79,6 +83,57 @@ TYPED_TEST(Clumped, RanksOfAFloorSeparateNothing) {
     add_entry(leaf, box);
   }
   EXPECT_NE(expect_swept_alike(leaf).axis, kD - 1);
+}
+
+/// Boxes about one point, of sizes that span decades as their distances do: no bytes separate them, and each
+/// division at a gap would leave nearly all in one part. `crowding`: of their sizes.
+template <int D>
+LeafView<D> draw_all_sizes(std::size_t count, double decades, float crowding,
+                           std::span<const DepthMask> masks, Random& random) {
+  LeafView<D> leaf;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto scale = static_cast<Scalar>(std::pow(10, random.uniform(-decades / 2, decades / 2)));
+    add_entry(leaf, box_at<D>(random_point<D>(random, -1, 1) * scale, crowding * scale));
+    leaf.apart.back() = masks[k % masks.size()];
+  }
+  return leaf;
+}
+
+/// Sparse and crowded, with masks that exclude none, some, and two bits that fold to one.
+TYPED_TEST(Clumped, BoxesOfAllSizesAreSweptByFloats) {
+  constexpr int kD = TypeParam::value;
+  const std::vector<std::vector<DepthMask>> all_masks{{0}, {0, 0, 2, 6}, {0, 1, DepthMask{1} << 8U, 0, 0}};
+  Random random(19);
+  for (const std::size_t count : {300U, 700U, 1500U})
+    for (const double decades : {4, 8, 30})
+      for (const float crowding : {0.03F, 0.2F, 0.6F})
+        for (const std::vector<DepthMask>& masks : all_masks) {
+          SCOPED_TRACE(testing::Message() << count << " boxes, " << decades << " decades, sizes " << crowding
+                                          << ", " << masks.size() << " masks");
+          const auto sweep = expect_swept_alike(draw_all_sizes<kD>(count, decades, crowding, masks, random));
+          EXPECT_TRUE(sweep.is_clumped || decades < 8);
+          if (decades >= 8) EXPECT_FALSE(sweep.floats.order.items.empty());
+        }
+}
+
+/// Boxes that touch, of coordinates that occur often, beside such that bytes cannot separate: an entry that
+/// begins where a row of another one ends is one of it.
+TYPED_TEST(Clumped, FloatsThatTouchAreFound) {
+  constexpr int kD = TypeParam::value;
+  Random random(20);
+  for (int round = 0; round < 20; ++round) {
+    LeafView<kD> leaf = draw_all_sizes<kD>(300, 20, 0.05F, std::vector<DepthMask>{0}, random);
+    for (int k = 0; k < 200; ++k) {
+      Box<kD> box;
+      for (int axis = 0; axis < kD; ++axis) {
+        box.min[axis] = static_cast<Scalar>(random.below(4)) - 2;
+        box.max[axis] = box.min[axis] + 1;
+      }
+      add_entry(leaf, box);
+    }
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    EXPECT_FALSE(expect_swept_alike(leaf).floats.order.items.empty());
+  }
 }
 
 }  // namespace

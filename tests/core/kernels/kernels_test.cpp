@@ -157,7 +157,7 @@ TYPED_TEST(Kernels, ASlantedLineIsOrderedByFinerSteps) {
 
 /// A line of boxes so large that the leaf is longer than floats are, and with boxes of denormals: no scale is
 /// so small or so large.
-TYPED_TEST(Kernels, ALineOfAnySizeIsMappedByRanks) {
+TYPED_TEST(Kernels, ALineOfAnySizeIsSweptByFloats) {
   constexpr int kD = TypeParam::value;
   Random random(9);
   for (const Scalar size : {5e36F, 1e-40F}) {

@@ -1,4 +1,4 @@
-#include "core/broad_phase/radix_sort.h"
+#include "core/kernels/radix_sort.h"
 
 #include <array>
 
