@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/broad_phase/axis_cells.h"
-#include "core/kernels/radix_sort.h"
 #include "core/broad_phase/tabled.h"
 #include "core/kernels/lanes.h"
+#include "core/kernels/radix_sort.h"
 #include "core/objects/structure.h"
 
 namespace kerf {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/kernels/radix_sort.h"
 #include "core/broad_phase/tabled.h"
 #include "core/kernels/lanes.h"
+#include "core/kernels/radix_sort.h"
 #include "core/objects/structure.h"
 
 namespace kerf {
