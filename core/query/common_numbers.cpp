@@ -37,7 +37,10 @@ std::map<ObjectId, ObjectMark> CommonNumbers::renumbered(Of of, const ObjectMark
 }
 
 EventBody CommonNumbers::renumbered(Of of, EventBody body) {
-  if (auto* const placed = std::get_if<ObjectPlaced>(&body)) placed->object = (*this)(of, placed->object);
+  const auto renumber = [&](auto& event) {
+    if constexpr (requires { event.object.is_none(); }) event.object = (*this)(of, event.object);
+  };
+  std::visit(renumber, body);
   return body;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Objects and steps of many digits, of which doubles do not tell neighbours apart.
+/// Objects and steps of so many digits that neighbours are the same double.
 class ImportIds : public ImportProgram {};
 
 TEST_F(ImportIds, ConditionsFindTheObjectThatIsAskedFor) {
