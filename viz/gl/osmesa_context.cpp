@@ -1,3 +1,4 @@
+#include <GL/glcorearb.h>
 #include <GL/osmesa.h>  // after glcorearb.h, which would otherwise leave out half of its types
 #include <dlfcn.h>
 

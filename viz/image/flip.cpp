@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "viz/image/compare.h"
 #include "viz/image/flip_color.h"
