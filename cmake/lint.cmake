@@ -2,7 +2,7 @@
 # long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
 # again when one of the batch has changed, or any header of ours.
 # `kerf_sources` has clang read each source of the rooms alone, which a build in unity does not show (read_alone says
-# how). Those of core are compiled alone in this build, for kerf_fingerprint.
+# how).
 # `kerf_format_check` compares all C++ files with what clang-format makes of them. tests/lint.cmake finds the tools.
 
 # kerf_own_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
@@ -47,11 +47,11 @@ function(kerf_tidy_batches target stamps)
   list(LENGTH ARGN count)
   set(first 0)
   while(first LESS count)
-    list(SUBLIST ARGN ${first} 24 batch)
+    list(SUBLIST ARGN ${first} 48 batch)
     set(stamp ${PROJECT_BINARY_DIR}/lint/tidy-${target}-${first}.stamp)
     kerf_tidy_batch(${stamp} ${batch})
     set_property(GLOBAL APPEND PROPERTY ${stamps} ${stamp})
-    math(EXPR first "${first} + 24")
+    math(EXPR first "${first} + 48")
   endwhile()
 endfunction()
 
@@ -73,7 +73,7 @@ foreach(room IN LISTS rooms)
     if(type MATCHES "STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE")
       kerf_own_sources(${target} sources)
       kerf_tidy_batches(${target} ${property} ${sources})
-      if(NOT room MATCHES "core|tests")
+      if(NOT room STREQUAL "tests")
         kerf_united(${target} sources)  # the others are alone in every build
         list(APPEND united ${sources})
       endif()
