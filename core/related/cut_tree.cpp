@@ -6,11 +6,6 @@
 #include "core/objects/structure.h"
 
 namespace kerf {
-namespace {
-
-constexpr double kMostGrowth = 1.4;  ///< entries of both children, in those of their parent
-
-}  // namespace
 
 template <int D>
 void CutTree<D>::clear() {

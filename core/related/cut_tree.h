@@ -9,6 +9,9 @@
 
 namespace kerf {
 
+/// A cut pays while both children have together at most this many times the entries of their parent.
+inline constexpr double kMostGrowth = 1.4;
+
 /// A binary tree of cuts along the axes, on which the policies of the related work (section 2) act. A leaf
 /// has every object of which a part lies in its region; a region has its lower bounds and not its upper ones.
 /// A pair is found in the leaf of the point where the overlap begins, and so once.

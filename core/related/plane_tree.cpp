@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/related/cut_tree.h"
+
 namespace kerf {
 namespace {
 
@@ -30,7 +32,6 @@ typename PlaneTree<D>::Split PlaneTree<D>::split(std::span<const ObjectId> objec
 
 template <int D>
 bool PlaneTree<D>::pays(const Split& split, std::size_t objects) {
-  constexpr double kMostGrowth = 1.4;  // as in CutTree
   return static_cast<double>(split.left + split.right) <= kMostGrowth * static_cast<double>(objects) &&
          split.left < objects && split.right < objects;
 }
