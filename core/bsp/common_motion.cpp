@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/sample_place.h"
 #include "core/base/tuning.h"
-#include "core/bsp/sample_place.h"
 #include "core/objects/skin.h"
 
 namespace kerf {

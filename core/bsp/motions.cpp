@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/sample_place.h"
 #include "core/base/tuning.h"
-#include "core/bsp/sample_place.h"
 #include "core/objects/skin.h"
 
 namespace kerf {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/median.h"
+#include "core/base/sample_place.h"
 #include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
-#include "core/bsp/sample_place.h"
 #include "core/kernels/prefetch.h"
 #include "core/objects/skin.h"
 #include "core/tree/cell.h"

@@ -13,6 +13,7 @@
 #include <cfloat>
 #include <cstdint>
 
+#include "core/base/sample_place.h"
 #include "core/kernels/leaf_view.h"
 #include "core/kernels/packed-inl.h"
 #include "core/kernels/sweep_tuning.h"
@@ -76,8 +77,8 @@ template <int D>
 HWY_INLINE PackedBox<D> second_of_lanes(const std::vector<PackedBox<D>>& boxes) {
   Packed<D> first = all_lanes<D>(-FLT_MAX);
   Packed<D> second = first;
-  for (std::size_t i = 0; i < tuning::kScaleSample; ++i) {
-    const Packed<D> box = load(boxes[i * boxes.size() / tuning::kScaleSample]);
+  for (std::uint32_t i = 0; i < tuning::kScaleSample; ++i) {
+    const Packed<D> box = load(boxes[sample_place(i, boxes.size())]);
     for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
       second.part[k] = hn::Max(second.part[k], hn::Min(first.part[k], box.part[k]));
       first.part[k] = hn::Max(first.part[k], box.part[k]);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/sample_place.h"
 #include "core/kernels/compare-inl.h"
 #include "core/kernels/sure_pairs-inl.h"
 #include "core/kernels/sweep_tuning.h"
@@ -94,7 +95,7 @@ HWY_INLINE RowSample sample_rows(ByteSweep<D>& sweep, std::uint32_t n) {
   int at_end = 0;
   float all_at_end = 0;
   for (std::uint32_t k = 0; k < rows; ++k) {
-    const auto i = static_cast<std::uint32_t>(std::uint64_t{k} * (n - 1) / rows);
+    const auto i = static_cast<std::uint32_t>(sample_place(k, n - 1));
     const std::uint32_t sure_end = proved.sure_end(i);
     proved.seek(i);
     std::uint64_t unsure = 0;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/sample_place.h"
 #include "core/kernels/compare_dense-inl.h"
 #include "core/kernels/order_floats-inl.h"
 
@@ -91,7 +92,7 @@ template <int D>
 HWY_INLINE bool are_crowded(OrderedFloats<D>& ordered, std::uint32_t n) {
   int found = 0;
   for (std::uint32_t k = 0; k < tuning::kDensityRows; ++k) {
-    const auto i = static_cast<std::uint32_t>(std::uint64_t{k} * (n - 1) / tuning::kDensityRows);
+    const auto i = static_cast<std::uint32_t>(sample_place(k, n - 1));
     ordered.seek(i);
     found += std::popcount(ordered.template row<kFloatRow>(i + 1));
   }

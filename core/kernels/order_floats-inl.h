@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/sample_place.h"
 #include "core/geometry/sort_key.h"
 #include "core/kernels/compare_dense-inl.h"
 #include "core/kernels/float_sweep.h"
@@ -32,8 +33,8 @@ std::size_t axis_of_short_rows(const LeafView<D>& leaf) {
   std::array<std::array<Scalar, kMost>, 2> ends;
   std::array<std::uint32_t, D> within{};
   for (std::size_t axis = 0; axis < D; ++axis) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const PackedBox<D>& box = leaf.boxes[k * leaf.size() / count];
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const PackedBox<D>& box = leaf.boxes[sample_place(k, leaf.size())];
       ends[0][k] = box.lane[axis];
       ends[1][k] = -box.lane[kHalf + axis];
     }
