@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/list_room.h"
+#include "core/base/sample_place.h"
 #include "core/kernels/sweep_tuning.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -89,6 +90,35 @@ HWY_INLINE bool may_be_clumped(std::size_t count, const std::array<float, D>& le
          (count >= tuning::kLeastSampled && std::ranges::max(length) < tuning::kTinyBox);
 }
 
+/// Entries that begin at the same bytes as an entry, in the mean, as a sample shows it.
+template <int D>
+HWY_INLINE float mean_clump(const ByteSweep<D>& sweep, std::size_t n) {
+  constexpr std::uint32_t kCount = tuning::kClumpSample;
+  constexpr auto kBegin = static_cast<ByteKey<D>>((std::uint64_t{1} << (8 * D)) - 1);
+  ByteKey<D> begins[kCount];
+  for (std::uint32_t k = 0; k < kCount; ++k) begins[k] = sweep.keys[sample_place(k, n)] & kBegin;
+  std::uint32_t equal = 0;
+  for (const ByteKey<D> begin : begins)
+    for (const ByteKey<D> other : begins) equal += begin == other ? 1 : 0;
+  return static_cast<float>(n) * static_cast<float>(equal - kCount) / (kCount * (kCount - 1));
+}
+
+/// Whether boxes lie in clumps that are too small to be swept one by one, so that no bytes need an order.
+template <int D>
+HWY_INLINE bool lie_in_small_clumps(const std::array<float, D>& length, const ByteSweep<D>& sweep,
+                                    std::size_t n) {
+  if (n < tuning::kLeastSampled || std::ranges::max(length) >= tuning::kTinyBox) return false;
+  const float size = mean_clump<D>(sweep, n);
+  return size > tuning::kClumped && size < static_cast<float>(tuning::kLeastMeanClump);
+}
+
+template <int D>
+HWY_INLINE void sweep_floats(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
+  sweep.is_clumped = true;
+  sweep.axis = static_cast<int>(axis_of_short_rows(leaf));
+  compare_floats(leaf, static_cast<std::size_t>(sweep.axis), sweep.floats, sweep.found, pairs);
+}
+
 /// How the entries of a leaf are compared.
 enum class Comparison : std::uint8_t { bytes, dense_bytes, floats };
 
@@ -135,6 +165,7 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   sweep.is_dense = false;
   const ByteScale<D> scale = make_byte_scale(leaf);
   const std::array<float, D> length = make_keys(leaf, scale, sweep);
+  if (lie_in_small_clumps<D>(length, sweep, leaf.size())) return sweep_floats(leaf, sweep, pairs);
   choose_axis(leaf.size(), length, sweep);
   order_entries(leaf, scale, sweep);
   const bool is_counted = may_be_dense(leaf.size(), length, static_cast<std::size_t>(sweep.axis));
@@ -145,11 +176,7 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
     if (is_clumped && divide_clumps(leaf, sweep)) return;
     if (is_counted || is_clumped) {
       const Comparison comparison = comparison_by_rows(leaf, scale, rows, sweep);
-      if (comparison == Comparison::floats) {
-        sweep.is_clumped = true;
-        sweep.axis = static_cast<int>(axis_of_short_rows(leaf));
-        return compare_floats(leaf, static_cast<std::size_t>(sweep.axis), sweep.floats, sweep.found, pairs);
-      }
+      if (comparison == Comparison::floats) return sweep_floats(leaf, sweep, pairs);
       sweep.is_dense = comparison == Comparison::dense_bytes;
     }
   }
