@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+
+#include "core/base/sample_place.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/sort_found.cpp"
@@ -15,9 +19,10 @@
 #define KERF_CORE_KERNELS_SORT_FOUND_ONCE
 namespace kerf {
 
-/// Up to so many numbers are sorted by counting: then that takes less time than vqsort, which in
-/// Highway 1.0.3 asks the system for random bits each time.
+/// Up to so many numbers are sorted by counting, and up to so many are divided until they are as few: then
+/// that takes less time than vqsort, which in Highway 1.0.3 asks the system for random bits each time.
 inline constexpr std::size_t kMostCounted = 96;
+inline constexpr std::size_t kMostDivided = 1024;
 /// Beyond the numbers, so that two whole vectors can be read and written.
 inline constexpr std::size_t kBeyond = 32;
 
@@ -94,17 +99,18 @@ namespace {
 HWY_EXPORT(count_32);
 HWY_EXPORT(count_64);
 
+template <class Number>
+void sort_many(std::span<Number> numbers) {
+  thread_local const hwy::Sorter sorter;
+  sorter(numbers.data(), numbers.size(), hwy::SortAscending());
+}
+
 /// `count(numbers, size, sorted)` writes those beyond the numbers behind them.
 template <class Number, class Count>
-void sort_numbers(std::span<Number> numbers, Number largest, Count count) {
+void sort_few(std::span<Number> numbers, Number largest, Count count) {
   if (numbers.size() < 2) return;
   if (numbers.size() == 2) {
     if (numbers[1] < numbers[0]) std::swap(numbers[0], numbers[1]);
-    return;
-  }
-  if (numbers.size() > kMostCounted) {
-    thread_local const hwy::Sorter sorter;
-    sorter(numbers.data(), numbers.size(), hwy::SortAscending());
     return;
   }
   std::array<Number, kMostCounted + kBeyond> given;  // written before they are read
@@ -112,6 +118,48 @@ void sort_numbers(std::span<Number> numbers, Number largest, Count count) {
   std::fill_n(std::ranges::copy(numbers, given.begin()).out, kBeyond, largest);
   count(given.data(), numbers.size(), sorted.data());
   std::copy_n(sorted.begin(), numbers.size(), numbers.begin());
+}
+
+template <class Number>
+Number median(Number a, Number b, Number c) {
+  return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+/// The median of three medians of three.
+template <class Number>
+Number choose_pivot(std::span<const Number> numbers) {
+  std::array<Number, 9> sample;
+  for (std::uint32_t k = 0; k < sample.size(); ++k) sample[k] = numbers[sample_place(k, numbers.size())];
+  for (std::size_t k = 0; k < 9; k += 3) sample[k] = median(sample[k], sample[k + 1], sample[k + 2]);
+  return median(sample[0], sample[3], sample[6]);
+}
+
+/// Moves the numbers below the pivot to the front; returns how many there are. No branch depends on them.
+template <class Number>
+std::size_t move_to_front(std::span<Number> numbers, Number pivot) {
+  std::array<Number, kMostDivided> others;  // written before they are read
+  std::size_t below = 0;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const Number number = numbers[k];
+    numbers[below] = number;
+    others[k - below] = number;
+    below += number < pivot ? 1 : 0;
+  }
+  std::copy_n(others.begin(), numbers.size() - below, numbers.begin() + static_cast<std::ptrdiff_t>(below));
+  return below;
+}
+
+/// All numbers differ.
+template <class Number, class Count>
+void sort_numbers(std::span<Number> numbers, Number largest, Count count) {
+  if (numbers.size() > kMostDivided) return sort_many(numbers);
+  while (numbers.size() > kMostCounted) {
+    const std::size_t below = move_to_front(numbers, choose_pivot(std::span<const Number>(numbers)));
+    if (std::max(below, numbers.size() - below) > numbers.size() / 8 * 7) return sort_many(numbers);
+    sort_numbers(numbers.first(below), largest, count);
+    numbers = numbers.subspan(below);
+  }
+  sort_few(numbers, largest, count);
 }
 
 }  // namespace

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/base/sample_place.h"
 #include "core/kernels/machine.h"
 
 namespace kerf::test {
@@ -49,6 +53,26 @@ TEST(SortFound, AnyNumberByEveryKernel) {
     }
   }
   use_kernel("");
+}
+
+/// Many are divided by samples, in the last case by the least of all.
+TEST(SortFound, ManyInAnyOrder) {
+  Random random(2);
+  for (const std::size_t count : {97U, 130U, 193U, 400U, 700U, 1023U, 1024U, 1025U, 3000U}) {
+    std::vector<std::uint32_t> numbers = objects(count, random);
+    expect_sorted(numbers);
+    expect_sorted(hits(count, random));
+    std::ranges::sort(numbers);
+    expect_sorted(numbers);
+    std::ranges::rotate(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(count / 3));
+    expect_sorted(numbers);
+    std::ranges::sort(numbers, std::greater());
+    expect_sorted(numbers);
+    std::ranges::sort(numbers);
+    for (std::uint32_t k = 0; k < 9; ++k) std::swap(numbers[k], numbers[sample_place(k, count)]);
+    expect_sorted(numbers);
+    ASSERT_FALSE(testing::Test::HasFailure()) << count;
+  }
 }
 
 }  // namespace
