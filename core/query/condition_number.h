@@ -28,6 +28,10 @@ struct ConditionNumber {
   }
 
   [[nodiscard]] bool exists() const { return !std::isnan(nearest); }
+  /// A whole number that is known exactly, and has the 64 bits of ids at most.
+  [[nodiscard]] std::optional<long double> whole() const {
+    return exact && std::abs(*exact) < 0x1p64L && std::trunc(*exact) == *exact ? exact : std::nullopt;
+  }
   [[nodiscard]] bool is_true() const { return exists() && nearest != 0; }
 
   /// `relate` of the two, exactly if both can be.

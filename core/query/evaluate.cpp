@@ -55,9 +55,8 @@ class Evaluation {
       if (kind == Kind::multiply) return a * b;
       return kind == Kind::add ? a + b : a - b;
     };
-    const bool is_exact = x.exact && y.exact;
-    return {calculate(x.nearest, y.nearest),
-            is_exact ? std::optional(calculate(*x.exact, *y.exact)) : std::nullopt};
+    return x.exact && y.exact ? ConditionNumber::of(calculate(*x.exact, *y.exact))
+                              : ConditionNumber::measured(calculate(x.nearest, y.nearest));
   }
 
   static bool compares(Kind kind, long double x, long double y) {

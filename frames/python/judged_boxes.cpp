@@ -102,6 +102,9 @@ std::vector<RowPair> pairs_of(const py::array& array, const std::string& opening
                           std::string(py::str(array.dtype())) +
                           "; pairs are (m, 2) whole numbers: rows of boxes");
   const auto numbers = py::array_t<std::int64_t, kInOrder>(array);
+  const bool wrapped = kind == 'u' && std::any_of(numbers.data(), numbers.data() + numbers.size(),
+                                                  [](std::int64_t number) { return number < 0; });
+  if (wrapped) throw py::value_error(opening + " a whole number beyond 2^63; pairs are rows of boxes");
   std::vector<RowPair> pairs(static_cast<std::size_t>(numbers.shape(0)));
   for (std::size_t k = 0; k < pairs.size(); ++k)
     pairs[k] = {numbers.data()[2 * k], numbers.data()[2 * k + 1]};
@@ -155,7 +158,7 @@ void refuse_columns(const py::object& returned, const std::vector<RowPair>& repo
 
 std::vector<RowPair> reported_pairs(const py::object& given, const PairWords& words) {
   const std::string opening = words.opening;
-  if (py::isinstance<py::array>(given)) return pairs_of(as_array(given, words.name), opening);
+  if (PyObject_CheckBuffer(given.ptr()) != 0) return pairs_of(as_array(given, words.name), opening);
   if (is_tuple_of_arrays(given)) throw py::value_error(opening + " a tuple of arrays" + kRowsAreMeant);
   if (given.is_none() || !py::hasattr(given, "__iter__"))
     throw py::value_error(opening + " " + std::string(py::repr(given)) +

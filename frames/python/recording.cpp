@@ -61,6 +61,16 @@ PairWhy python_why(const PairExplanation<D>& found, const RecordingInfo& info) {
   return why;
 }
 
+/// Throws ValueError for a whole number that float64 does not hold.
+double float64_of(const ConditionNumber& number, std::uint32_t step) {
+  const std::optional<long double> whole = number.whole();
+  if (whole && static_cast<long double>(number.nearest) != *whole)
+    throw py::value_error("expression: at the end of step " + std::to_string(step) +
+                          " of the recording it is " + to_text(number) +
+                          ", which is not exact in float64; subtract a number near it in the expression");
+  return number.nearest;
+}
+
 /// `kerf.Recording` of one dimension.
 template <int D>
 class RecordingOf final : public PythonRecording {
@@ -159,7 +169,7 @@ class RecordingOf final : public PythonRecording {
     const auto values = undisturbed([&] {
       std::vector<double> found;
       for (std::uint32_t step = 1; step <= steps() && !interrupts.requested(); ++step)
-        found.push_back(search().value(expression, Position::end_of(step)).nearest);
+        found.push_back(float64_of(search().value(expression, Position::end_of(step)), step));
       return found;
     });
     interrupts.rethrow();

@@ -310,6 +310,15 @@ def test_what_is_no_list_of_pairs_is_refused(returned):
         kerf.check(lambda boxes: returned, random_boxes(5, 2))
 
 
+def test_numbers_beyond_those_of_int64_are_refused():
+    """2^64 - 1 was reported as row -1."""
+    pairs = np.array([[0, 2**64 - 1]], np.uint64)
+    with pytest.raises(ValueError, match=r"the function returned a whole number beyond 2\^63"):
+        kerf.check(lambda boxes: pairs, random_boxes(5, 2))
+    with pytest.raises(ValueError, match=r"pairs: this is a whole number beyond 2\^63"):
+        kerf.render(random_boxes(5, 2), pairs=pairs)
+
+
 def in_a_row(count):
     """Boxes of which each touches its neighbours alone."""
     low = np.arange(count)[:, None] * [1.0, 0.0]
@@ -350,7 +359,8 @@ def test_pairs_may_come_in_any_iterable(count):
     numpy_tuples = [tuple(pair) for pair in pairs]
     for form in (tuples, tuple(tuples), set(tuples), dict.fromkeys(tuples), numpy_tuples, tuple(numpy_tuples)):
         assert kerf.check(lambda boxes: form, in_a_row(count)) is None
-    for form in (pairs, pairs.T.copy().T, list(pairs), pairs.tolist(), tuple(pairs.tolist()), pairs.astype(">u2")):
+    arrays = (pairs, pairs.T.copy().T, pairs.astype(">u2"), memoryview(pairs))
+    for form in (*arrays, list(pairs), pairs.tolist(), tuple(pairs.tolist())):
         assert kerf.check(lambda boxes: form, in_a_row(count)) is None
     assert kerf.check(lambda boxes: zip(*pairs.T), in_a_row(count)) is None
     assert kerf.check(lambda boxes: (pair for pair in pairs), in_a_row(count)) is None

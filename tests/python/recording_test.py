@@ -321,14 +321,31 @@ def test_a_scene_is_recorded_as_the_program_records_it(scene, tmp_path):
     assert same.returncode == 0, same.stdout
 
 
+def imported(folder, boxes, *arguments):
+    """What the program makes of the boxes of another engine."""
+    (folder / "boxes.csv").write_text(boxes, encoding="utf-8")
+    program = pathlib.Path(os.environ["KERF_BUILD_DIR"]) / "frames" / "kerf"
+    command = [program, "import", "boxes.csv", "-o", "theirs.kerf", *arguments]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+    return kerf.Recording(folder / "theirs.kerf")
+
+
+def test_values_are_exact_or_refused(tmp_path):
+    """Steps of an import beyond 2^53 were rounded without a word, also where what is asked is small."""
+    first = 2**53
+    rows = "".join(f"{first + k},7,{k},{k + 1},0,1\n" for k in range(3))
+    theirs = imported(tmp_path, "step,object,min_x,max_x,min_y,max_y\n" + rows)
+    with pytest.raises(ValueError, match=f"at the end of step 2 of the recording it is {first + 1}, .*subtract"):
+        theirs.values("step")
+    assert theirs.values(f"step-{first}").tolist() == [0, 1, 2]
+    assert theirs.values(f"(step+1)-{first}").tolist() == [1, 2, 3]
+    assert theirs.values("step/2").tolist() == [first / 2, first / 2, first / 2 + 1]
+
+
 def test_pairs_that_touch_only_as_written_are_undecided(tmp_path):
     boxes = "step,object,min_x,max_x,min_y,max_y\n1,0,0.123457,1.23457,0,1\n1,1,1.23457,2.34568,0,1\n"
-    (tmp_path / "boxes.csv").write_text(boxes, encoding="utf-8")
     (tmp_path / "pairs.csv").write_text("step,a,b\n", encoding="utf-8")
-    program = pathlib.Path(os.environ["KERF_BUILD_DIR"]) / "frames" / "kerf"
-    arguments = ["import", "boxes.csv", "--pairs", "pairs.csv", "-o", "theirs.kerf"]
-    subprocess.run([program, *arguments], cwd=tmp_path, check=True, capture_output=True)
-    theirs = kerf.Recording(tmp_path / "theirs.kerf")
+    theirs = imported(tmp_path, boxes, "--pairs", "pairs.csv")
     assert theirs.values("undecided").tolist() == [1] and theirs.values("missed+extra+ignored").tolist() == [0]
     assert theirs.find("undecided>0").step == 1
     why = theirs.why(0, 1, 1)

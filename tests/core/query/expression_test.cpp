@@ -169,7 +169,8 @@ TEST(Expression, IdsAreComparedWithAllTheirDigits) {
        {"object==9007199254740993", "object!=9007199254740992", "object>9007199254740992",
         "object<9007199254740994", "object<=9007199254740993", "object>=9007199254740993",
         "object-1==9007199254740992", "9007199254740992+1==object", "-object<-9007199254740992",
-        "object==9007199254740993 && redundancy==0.1", "redundancy==10%", "redundancy==1/10"})
+        "object==9007199254740993 && redundancy==0.1", "redundancy==10%", "redundancy==1/10",
+        "object-9007199254740992>5*redundancy"})
     EXPECT_TRUE(is_true(text, moment)) << text;
   for (const char* const text :
        {"object==9007199254740992", "object==9007199254740994", "object!=9007199254740993",
