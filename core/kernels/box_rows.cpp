@@ -14,14 +14,17 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+constexpr std::size_t kBytes = 64;
+#elif HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
 constexpr std::size_t kBytes = 32;
 #else
 constexpr std::size_t kBytes = 16;
 #endif
 
-/// Rows that fill whole vectors, whatever their numbers.
-constexpr std::size_t kTogether = 4;
+/// Rows that fill whole vectors, whatever their dimension.
+template <class Number>
+constexpr std::size_t kTogether = std::max<std::size_t>(4, kBytes / sizeof(Number) / 2);
 
 template <class Number>
 using LanesOf = hn::FixedTag<Number, kBytes / sizeof(Number)>;
@@ -34,7 +37,7 @@ using HalfWords = hn::RebindToSigned<Halves>;
 template <int D, class Number>
 class InOrder {
  public:
-  static constexpr std::size_t kNumbers = kTogether * 2 * D;
+  static constexpr std::size_t kNumbers = kTogether<Number> * 2 * D;
   static constexpr std::size_t kLanes = kBytes / sizeof(Number);
   static constexpr std::size_t kParts = kNumbers / kLanes;
   static_assert(kNumbers % kLanes == 0);
@@ -76,7 +79,7 @@ template <int D, class Number, class Each, class Rest>
 HWY_INLINE bool for_rows(const Number* rows, std::size_t count, Each each, Rest rest) {
   InOrder<D, Number> in_order;
   std::size_t row = 0;
-  for (; row + kTogether < count; row += kTogether) {
+  for (; row + kTogether<Number> < count; row += kTogether<Number>) {
     in_order.add(rows + row * 2 * D);
     each(row);
   }
@@ -149,10 +152,10 @@ HWY_INLINE bool round(const double* rows, std::size_t count, Box<D>* boxes) {
   static_assert(sizeof(Box<D>) == 2 * D * sizeof(float));
   auto* const floats = reinterpret_cast<float*>(boxes);
   const auto together = [=](std::size_t row) {
-    round_outward<D, kTogether * 2 * D>(rows + row * 2 * D, floats + row * 2 * D);
+    round_outward<D, kTogether<double> * 2 * D>(rows + row * 2 * D, floats + row * 2 * D);
   };
   const auto alone = [=](std::size_t row) {
-    constexpr std::size_t kPadded = 8;  // a row, and what fills vectors of 2 or 4
+    constexpr std::size_t kPadded = 8;  // a row, and what fills vectors of 2, 4 or 8
     double padded[kPadded] = {};
     float rounded[kPadded];
     std::copy_n(rows + row * 2 * D, 2 * D, padded);
