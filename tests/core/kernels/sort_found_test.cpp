@@ -64,7 +64,7 @@ TEST(SortFound, ManyInAnyOrder) {
     expect_sorted(hits(count, random));
     std::ranges::sort(numbers);
     expect_sorted(numbers);
-    std::ranges::rotate(numbers, numbers.begin() + static_cast<std::ptrdiff_t>(count / 3));
+    std::rotate(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count / 3), numbers.end());
     expect_sorted(numbers);
     std::ranges::sort(numbers, std::greater());
     expect_sorted(numbers);
